@@ -80,8 +80,19 @@ def results():
         "Gyrostat": k.free.body, "GyrostatArc": gs.staude_cone(k.gyrostat).arcs({})[4],
         "HeavyContinuation": gs.continuation(k.heavy, "omega", (1, 2), {}),
         "Interval": first.cases[0].intervals[0], "LiePoisson": k.top.space,
+<<<<<<< HEAD
         "Linearization": gs.derivation.linearize(k.upright), "NormalForm": gs.analyze(spin).normal_form({}),
         "Potential": k.top.potential, "RelativeEquilibrium": gs.relative_equilibria(k.top, numbers)[0],
+=======
+<<<<<<< HEAD
+        "Linearization": gs.derivation.linearize(k.upright), "NormalForm": gs.analyze(spin).normal_form({}),
+        "OrbitalEquilibrium": gs.relative_equilibria(k.satellite, {})[0],
+        "PermanentRotation": gs.relative_equilibria(k.free, {"M": 1})[0], "Potential": k.top.potential,
+=======
+        "Linearization": gs.linearize(k.upright), "NormalForm": gs.analyze(spin).normal_form({}),
+        "Potential": k.top.potential, "RelativeEquilibrium": gs.relative_equilibria(k.top, numbers)[0],
+>>>>>>> onetests
+>>>>>>> one
         "Report": k.report, "RotationContinuation": gs.continuation(k.spun, "l", (0, 1), {"M": 1}),
         "Rotor": k.wheel, "SecondVariation": gs.derivation.second_variation(k.upright), "Solution": solution,
         "SolvedCondition": first, "System": k.top,

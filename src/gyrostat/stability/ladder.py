@@ -3,25 +3,22 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Any
 
-from sympy import Expr, Mul
+from sympy import Expr
 
-from .._cached import cached_property
 from .._lazy import loaded
 from ..algebra.reals.exact import Point, sign
-from ..algebra.solving.margins import Signs
 from ..mechanics.equilibrium.derived_once import once
 from ..mechanics.equilibrium.equilibrium import Equilibrium
-from ..mechanics.equilibrium.standard_axes import Seen, placed, seen_at
+from ..mechanics.equilibrium.standard_axes import placed, seen_at
 from ..mechanics.scenes.kind import Kind
 from ..notation import symbol
-from .criteria.numbers_asked import names_in, names_of_motion
 from .criteria.truth import holds
 from .decision import Decision, Notion, Rung, settled, undecided
 from .report.derived_parts import Derived
+from .standing import THEOREMS, Standing
 
-DEFINITE = "the second variation is definite on the symplectic slice"
 GROWS = "an eigenvalue has a positive real part"
-THEOREMS, NORMAL_FORMS = "stability.theorems", "stability.normal_forms"
+NORMAL_FORMS = "stability.normal_forms"
 DEGREE = 4                                                 # of U, where only its derivatives are given
 
 
@@ -76,92 +73,6 @@ class Ladder(Derived):
         drifts: Decision = loaded(f"{THEOREMS}.drift:drifts_along")(placed(self.equilibrium, numbers), found)
         return drifts
 
-    @cached_property
-    def stable(self) -> Decision:
-        """Where the second variation is definite."""
-        return settled(True, DEFINITE, Rung.SECOND_VARIATION, modulo=self.sufficient.modulo)
-
-    @cached_property
-    def determinant(self) -> tuple[Expr, tuple[str, ...]]:
-        """What vanishes where the second variation is degenerate, the determinant of the linearised field
-        without factors that are positive; and the names in it.
-        """
-        determinant = self.equilibrium.insert(self.linearization.coefficients[-1])
-        margin, even = Signs.over([determinant], self.equilibrium.existence()).normal_form(determinant)
-        factors = (margin, *even)
-        return Mul(*factors), names_in(factors)
-
-
-@dataclass(frozen=True)
-class Standing:
-    """What stands on a rung: the report of an equilibrium, at numbers; each answer is found when it is asked.
-    """
-
-    ladder: Ladder
-    numbers: Point
-    margins: dict[Expr, Expr]
-
-    @property
-    def eq(self) -> Equilibrium:
-        """The equilibrium."""
-        return self.ladder.equilibrium
-
-    @cached_property
-    def sufficient(self) -> bool | None:
-        """Whether the second variation is definite; None where a margin has no proved sign."""
-        return holds(self.ladder.sufficient, self.numbers, self.margins)
-
-    @cached_property
-    def necessary(self) -> bool | None:
-        """Whether no eigenvalue grows; the same."""
-        return holds(self.ladder.necessary, self.numbers, self.margins)
-
-    @cached_property
-    def other(self) -> Seen | None:
-        """The scene that decides instead, if any."""
-        return seen_at(self.eq, self.numbers)
-
-    @cached_property
-    def degenerate(self) -> bool:
-        """Whether the second variation is proved to be degenerate."""
-        determinant, names = self.ladder.determinant
-        return not self._missing(names) and sign(determinant, self.numbers) == 0
-
-    @cached_property
-    def missing(self) -> str:
-        """Names without a number that the theorems need."""
-        eq, (_, names) = self.eq, self.ladder.determinant
-        missing = self._missing(names)
-        if not self.ladder.open_between or self.degenerate and self.ladder.may_lie_on_curve:
-            missing += self._missing(names_of_motion(eq))
-        return ", ".join(dict.fromkeys(missing))
-
-    def _missing(self, names: tuple[str, ...]) -> list[str]:
-        return [name for name in names if symbol(name) not in self.numbers]
-
-    @cached_property
-    def by_integrals(self) -> Decision:
-        """What integrals that are given decide."""
-        found: Decision = loaded(f"{THEOREMS}.given_integrals:decide_by_integrals")(self.eq, self.numbers)
-        return found
-
-    @cached_property
-    def torque_free(self) -> Any:
-        """The equilibrium without its field, if that exerts no torque."""
-        return loaded(f"{THEOREMS}.no_torque:torque_free")(self.eq, self.numbers)
-
-    def own(self, found: Decision) -> Decision:
-        """In the axes of the scene, modulo what the criteria divide out."""
-        recognised, modulo = self.ladder.recognised, self.ladder.sufficient.modulo
-        if recognised:
-            found = replace(found, reason=recognised.worded(found.reason))
-        return replace(found, modulo=modulo) if modulo and not found.modulo else found
-
-    def after_integrals(self, found: Decision) -> Decision:
-        """The same, with the reason why the integrals do not decide before it."""
-        why = self.by_integrals.reason if self.eq.system.given_integrals else ""
-        return self.own(replace(found, reason=f"{why}; {found.reason}") if why else found)
-
 
 @dataclass(frozen=True)
 class Step:
@@ -184,10 +95,10 @@ class Step:
 
 def _definite(s: Standing) -> Decision:
     """With the Casimirs, or with integrals that are given."""
-    ladder = s.ladder
-    if not s.eq.system.given_integrals or holds(ladder.casimirs_only, s.numbers, {}):
-        return ladder.stable
-    return replace(s.by_integrals, pointwise=False) if s.by_integrals.stable else ladder.stable
+    derived = s.derived
+    if not s.eq.system.given_integrals or holds(derived.casimirs_only, s.numbers, {}):
+        return derived.stable
+    return replace(s.by_integrals, pointwise=False) if s.by_integrals.stable else derived.stable
 
 
 def _by_another(s: Standing) -> Decision:
@@ -203,7 +114,7 @@ def _by_another(s: Standing) -> Decision:
 
 def _between(s: Standing) -> Decision:
     """By the reduced motion, or on the momentum sphere."""
-    decider = s.ladder.between
+    decider = s.derived.between
     assert decider is not None
     return s.own(decider.decide(s.numbers, s.margins))
 
@@ -230,7 +141,7 @@ def _without_torque(s: Standing) -> Decision:
 
 def _leading(s: Standing) -> Decision:
     """By the leading form of the amended potential; where p > 0 there are imaginary eigenvalues beside 0."""
-    p = s.eq.insert(s.ladder.linearization.coefficients[0])
+    p = s.eq.insert(s.derived.linearization.coefficients[0])
     amended = loaded(f"{THEOREMS}.amended_expansion:Amended")(s.eq, s.numbers)
     return s.after_integrals(amended.decide(sign(p, s.numbers) == 1))
 
@@ -239,13 +150,13 @@ RUNGS = (
     Step("second variation", "Lagrange (1788), Dirichlet (1846); Arnold, J. Mécanique 5 (1966) 29-43",
          lambda s: s.sufficient, _definite),
     Step("spectrum", "Lyapunov (1892)", lambda s: s.necessary is False,
-         lambda s: settled(False, GROWS, Rung.SPECTRUM, Notion.SPECTRAL, modulo=s.ladder.sufficient.modulo)),
+         lambda s: settled(False, GROWS, Rung.SPECTRUM, Notion.SPECTRAL, modulo=s.derived.sufficient.modulo)),
     Step("another scene", "derived: a body of revolution about any axis, a satellite's axis",
          lambda s: s.other, _by_another),
     Step("no sign", "nothing is guessed", lambda s: None in (s.sufficient, s.necessary),
          lambda s: undecided("a margin has no proved sign")),
     Step("reduced motion, momentum sphere", "derived; Hughes (1986), chapter 6",
-         lambda s: s.ladder.between, _between),
+         lambda s: s.derived.between, _between),
     Step("missing names", "nothing is guessed", lambda s: s.missing,
          lambda s: s.own(undecided(f"the point lies between the two criteria; give {s.missing} to decide"))),
     Step("two directions", "derived", lambda s: s.eq.system.coupled, _in_frame),

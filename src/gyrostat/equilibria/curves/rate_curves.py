@@ -15,7 +15,7 @@ from ...errors import ScopeError
 from ...mechanics.scenes.system import System
 from ...notation import Stored
 from ...stability.criteria.amended_form import dot
-from ...stability.form import conditions
+from ...stability.spectrum import conditions
 from ..finders.heavy import OMEGA, SIGMA, heavy_forms
 from ..finders.heavy_form import HeavyForm
 from ..finders.heavy_polynomials import DIRECTION

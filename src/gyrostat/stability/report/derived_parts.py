@@ -2,9 +2,12 @@
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
+from sympy import Expr, Mul
+
 from ..._cached import cached_property
 from ..._display import Shown
 from ..._lazy import loaded
+from ...algebra.solving.margins import Signs
 from ...errors import require
 from ...mechanics.equilibrium.derived_once import once
 from ...mechanics.equilibrium.equilibrium import Equilibrium
@@ -18,10 +21,14 @@ from ..criteria.numbers_asked import names_accepted, names_in, names_needed, nam
 from ..criteria.three_criteria import formal_criterion, spectral_criterion
 from ..damping.secular import Secular, secular_of
 from ..deciders import Between
+from ..decision import Decision, Rung, settled
 
 if TYPE_CHECKING:
     from ..theorems.boundary import Boundary
     from ..theorems.drift import Drift
+
+
+DEFINITE = "the second variation is definite on the symplectic slice"
 
 
 @dataclass(frozen=True, repr=False)
@@ -135,6 +142,21 @@ class Derived(Shown, Stored):
         """Whether it may lie on a closed curve of attitudes of a satellite."""
         return self.equilibrium.system.coupled and bool(
             loaded("stability.theorems.two_directions:may_lie_on_curve")(self.equilibrium))
+
+    @cached_property
+    def stable(self) -> Decision:
+        """Where the second variation is definite."""
+        return settled(True, DEFINITE, Rung.SECOND_VARIATION, modulo=self.sufficient.modulo)
+
+    @cached_property
+    def determinant(self) -> tuple[Expr, tuple[str, ...]]:
+        """What vanishes where the second variation is degenerate, the determinant of the linearised field
+        without factors that are positive; and the names in it.
+        """
+        determinant = self.equilibrium.insert(self.linearization.coefficients[-1])
+        margin, even = Signs.over([determinant], self.equilibrium.existence()).normal_form(determinant)
+        factors = (margin, *even)
+        return Mul(*factors), names_in(factors)
 
     @cached_property
     def compared(self) -> tuple[str, ...]:

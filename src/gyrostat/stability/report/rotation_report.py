@@ -14,7 +14,8 @@ from ..criteria.energy_casimir import SecondVariation
 from ..criteria.linearization import Linearization
 from ..damping.secular import KEEPS, Secular, lost, secular_of
 from ..decision import Decision, Notion, Rung, settled
-from ..ladder import DEFINITE, GROWS
+from ..ladder import GROWS
+from .derived_parts import DEFINITE
 from .report import Report
 
 NO_MATRIX = ("in any direction k1, k2, k3 no matrix is derived, the conditions are in closed form: give a "

@@ -1,0 +1,88 @@
+"""The spectrum of a relative equilibrium: the roots λ² of a polynomial, of which all have to be negative."""
+from collections.abc import Callable, Sequence
+from contextlib import suppress
+from typing import Any
+
+from flint import acb, acb_poly, arb
+from sympy import Expr, Float, S, sqrt
+
+from ..algebra.enclosures.precision import doubled, own_precision
+
+DIGITS, BITS = 30, 256                                     # of a rate
+TIGHT = "1e-60"                                            # of λ², relative to the largest coefficient
+Signs = tuple[int | None, ...]
+
+
+def conditions(spectrum: Sequence[Any]) -> list[Any]:
+    """What has to be positive for all roots of a polynomial of degree 1 to 3 to be negative and apart.
+
+    But for the sign of the product of the roots, which is that of det of the second variation.
+    """
+    if len(spectrum) == 2:
+        return [spectrum[1]]
+    if len(spectrum) == 3:
+        d, p, q = spectrum
+        return [p, p**2 - 4 * d * q]
+    d, a, b, c = spectrum
+    return [a, b, c, a**2 * b**2 - 4 * d * b**3 - 4 * a**3 * c + 18 * d * a * b * c - 27 * d**2 * c**2]
+
+
+def exact_rates(spectrum: Sequence[Expr], whole: int | None, signs: Signs) -> tuple[tuple[Expr, ...],
+                                                                                     Expr | None]:
+    """Frequencies and growth rate of a monic spectrum with one or two roots λ².
+
+    By the sign of their product, 0 where one of them is 0, and those of its conditions.
+    """
+    if not whole:
+        spectrum = spectrum[:-1]
+    if not spectrum:
+        return (), None
+    if len(spectrum) == 1:
+        (x,) = spectrum
+        return ((sqrt(x),) if signs[0] == 1 else ()), sqrt(-x) if signs[0] == -1 else None
+    p, q = spectrum
+    half, root = p / 2, sqrt(abs(p**2 / 4 - q)) if signs[1] else S.Zero
+    if signs[1] == -1:
+        return (), sqrt((sqrt(half**2 + root**2) - half) / 2)
+    slow = (sqrt(half - root),) * (whole == signs[0] == 1)
+    fast = (sqrt(half + root),) * (whole == -1 or signs[0] == 1)
+    return slow + fast, sqrt(root - half) if -1 in (whole, signs[0]) else None
+
+
+def rates_in_balls(spectrum: Callable[[int], list[arb]], whole: bool) -> tuple[tuple[Expr, ...], Expr | None]:
+    """The same of a spectrum in balls of any precision, without its last root, 0, if it is not whole."""
+    for precision in doubled(BITS):
+        with own_precision(precision), suppress(ValueError):           # two roots are closer than told apart
+            found = squares(spectrum(precision) if whole else spectrum(precision)[:-1])
+            if all(x.rel_accuracy_bits() > 4 * DIGITS for x in found):
+                break
+    with own_precision(BITS):
+        slow = [(-x.real).sqrt() for x in found if x.real < 0 and x.imag.contains(0)]
+        grow = [x.sqrt().real for x in found if not (x.real < 0 and x.imag.contains(0))]
+        largest = max((x for x in grow if x > 0), key=lambda x: float(x.mid()), default=None)
+        return (tuple(_decimal(x) for x in sorted(slow, key=lambda x: float(x.mid()))),
+                None if largest is None else _decimal(largest))
+
+
+def squares(spectrum: Sequence[arb]) -> list[acb]:
+    """The roots λ² of a spectrum in balls, of degree up to three; two that cannot be told apart are one."""
+    if len(spectrum) < 2:
+        return []
+    if len(spectrum) == 2:
+        return [acb(-spectrum[1] / spectrum[0])]
+    gap = conditions(spectrum)[-1]
+    if not gap.contains(0):
+        size = max((abs(x / spectrum[0]) for x in spectrum[1:]), key=lambda x: float(x.mid()))
+        return list(acb_poly(list(reversed(spectrum))).roots(arb(TIGHT) * size))
+    if len(spectrum) == 3:
+        d, p, _ = spectrum
+        return [acb(-p / (2 * d))] * 2
+    d, a, b, c = spectrum
+    if (apart := a**2 - 3 * b * d).contains(0):
+        return [acb(-a / (3 * d))] * 3
+    double = (9 * d * c - a * b) / (2 * apart)
+    return [acb(x) for x in (double, double, -a / d - 2 * double)]
+
+
+def _decimal(x: arb) -> Expr:
+    return Float(x.mid().str(DIGITS, radius=False), DIGITS)

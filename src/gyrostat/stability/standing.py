@@ -1,0 +1,89 @@
+"""What stands on a rung of the ladder: an equilibrium at numbers; each answer is found when it is asked."""
+from dataclasses import dataclass, replace
+from typing import Any
+
+from sympy import Expr
+
+from .._cached import cached_property
+from .._lazy import loaded
+from ..algebra.reals.exact import Point, sign
+from ..mechanics.equilibrium.equilibrium import Equilibrium
+from ..mechanics.equilibrium.standard_axes import Seen, seen_at
+from ..notation import symbol
+from .criteria.numbers_asked import names_of_motion
+from .criteria.truth import holds
+from .decision import Decision
+from .report.derived_parts import Derived
+
+THEOREMS = "stability.theorems"
+
+
+@dataclass(frozen=True)
+class Standing:
+    """What stands on a rung: the report of an equilibrium, at numbers; each answer is found when it is asked.
+    """
+
+    derived: Derived
+    numbers: Point
+    margins: dict[Expr, Expr]
+
+    @property
+    def eq(self) -> Equilibrium:
+        """The equilibrium."""
+        return self.derived.equilibrium
+
+    @cached_property
+    def sufficient(self) -> bool | None:
+        """Whether the second variation is definite; None where a margin has no proved sign."""
+        return holds(self.derived.sufficient, self.numbers, self.margins)
+
+    @cached_property
+    def necessary(self) -> bool | None:
+        """Whether no eigenvalue grows; the same."""
+        return holds(self.derived.necessary, self.numbers, self.margins)
+
+    @cached_property
+    def other(self) -> Seen | None:
+        """The scene that decides instead, if any."""
+        return seen_at(self.eq, self.numbers)
+
+    @cached_property
+    def degenerate(self) -> bool:
+        """Whether the second variation is proved to be degenerate."""
+        determinant, names = self.derived.determinant
+        return not self._missing(names) and sign(determinant, self.numbers) == 0
+
+    @cached_property
+    def missing(self) -> str:
+        """Names without a number that the theorems need."""
+        eq, (_, names) = self.eq, self.derived.determinant
+        missing = self._missing(names)
+        if not self.derived.open_between or self.degenerate and self.derived.may_lie_on_curve:
+            missing += self._missing(names_of_motion(eq))
+        return ", ".join(dict.fromkeys(missing))
+
+    def _missing(self, names: tuple[str, ...]) -> list[str]:
+        return [name for name in names if symbol(name) not in self.numbers]
+
+    @cached_property
+    def by_integrals(self) -> Decision:
+        """What integrals that are given decide."""
+        found: Decision = loaded(f"{THEOREMS}.given_integrals:decide_by_integrals")(self.eq, self.numbers)
+        return found
+
+    @cached_property
+    def torque_free(self) -> Any:
+        """The equilibrium without its field, if that exerts no torque."""
+        return loaded(f"{THEOREMS}.no_torque:torque_free")(self.eq, self.numbers)
+
+    def own(self, found: Decision) -> Decision:
+        """In the axes of the scene, modulo what the criteria divide out."""
+        recognised, modulo = self.derived.recognised, self.derived.sufficient.modulo
+        if recognised:
+            found = replace(found, reason=recognised.worded(found.reason))
+        return replace(found, modulo=modulo) if modulo and not found.modulo else found
+
+    def after_integrals(self, found: Decision) -> Decision:
+        """The same, with the reason why the integrals do not decide before it."""
+        why = self.by_integrals.reason if self.eq.system.given_integrals else ""
+        return self.own(replace(found, reason=f"{why}; {found.reason}") if why else found)
