@@ -1,5 +1,4 @@
 """The momentum sphere: every equilibrium with its verdict, polhodes on sphere and level, and the picture."""
-
 import numpy as np
 import pytest
 from draw import moments, numbers
@@ -234,12 +233,12 @@ def test_separatrices_meet_the_saddles_and_are_complete(inertia, rotor, radius):
     Each great circle is crossed as often as its level says; saddles are approached.
     """
     body = gs.Gyrostat(inertia, rotor)
-    I, l, R = floats(body.inertia), floats(body.gyrostatic_momentum), float(Rational(radius))
     saddles = [p for p in rotations(body, radius) if p.decision.unstable and not p.locus]
+    I, l, R = floats(body.inertia), floats(body.gyrostatic_momentum), float(Rational(radius))
     curves = [c for c in energy_curves(drawn(inertia, rotor, radius, []), "#1f2933")
               if np.abs(np.linalg.norm(c, axis=1) - R).max() < 1e-9]
-    elevation, azimuth = np.radians([22, 40])
-    eye = np.cos(elevation) * np.cos(azimuth), np.cos(elevation) * np.sin(azimuth), np.sin(elevation)
+    up, around = np.radians([22, 40])
+    eye = np.cos(up) * np.cos(around), np.cos(up) * np.sin(around), np.sin(up)
     curves = [c for c in curves if np.ptp(c @ np.array(eye)) > 1e-3]   # without the outline
     for saddle in saddles:
         assert min(np.linalg.norm(c - floats(saddle.momentum), axis=1).min() for c in curves) < 0.02 * R

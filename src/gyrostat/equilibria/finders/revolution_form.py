@@ -149,6 +149,11 @@ class RevolutionForm(Form):
         """At rational k and omega."""
         return self._heavy.rational
 
+    @property
+    def reached(self) -> bool:
+        """As of a permanent rotation of a body in a field."""
+        return self._heavy.reached
+
     def invariants(self, precision: int | None) -> Invariants:
         """As those of a permanent rotation of a body in a field."""
         return self._heavy.invariants(precision)
