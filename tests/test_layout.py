@@ -16,7 +16,7 @@ import gyrostat
 
 SRC = Path(gyrostat.__file__).parent
 FLOORS = ("version _lazy _cached _display errors notation typesetting registry arguments algebra mechanics "
-          "stability equilibria parameters printing charts trajectories plotting published cli "
+          "stability derivation equilibria parameters printing charts trajectories plotting published cli "
           "__main__").split()
 FOLDERS = [path.parent for path in SRC.rglob("__init__.py")]
 OPTIONAL = {"matplotlib", "xarray", "dask", "distributed", "zarr", "numba", "llvmlite", "scipy", "heyoka",

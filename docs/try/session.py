@@ -15,9 +15,7 @@ import gyrostat as gs
 from gyrostat.algebra.text.grammar import parse
 from gyrostat.errors import GyrostatError
 from gyrostat.mechanics.equilibrium.equilibrium import Equilibrium
-from gyrostat.mechanics.equilibrium.reduction import reducible
 from gyrostat.mechanics.equilibrium.unit_vectors import direction_in
-from gyrostat.mechanics.families.circular_orbit import in_orbit
 from gyrostat.mechanics.families.family import Family
 from gyrostat.mechanics.families.named_families import (
     E3,
@@ -28,6 +26,7 @@ from gyrostat.mechanics.families.named_families import (
     PRINCIPAL,
 )
 from gyrostat.mechanics.families.scene_tables import SceneTable
+from gyrostat.mechanics.scenes.kind import Kind
 from gyrostat.mechanics.scenes.system import System, names_of_scene
 from gyrostat.notation import jet
 from gyrostat.printing.formats.latex_names import Names
@@ -143,11 +142,11 @@ class Chosen:
         U = self.scene.potential
         if U is None:
             return ("M",)
-        if in_orbit(self.scene):
+        if self.scene.kind is Kind.ORBIT:
             return ("",)
         if not U.given:
             return ()
-        return ("omega", "k3", "pi3_0 C1") if reducible(self.scene) else ("omega", "C1")
+        return ("omega", "k3", "pi3_0 C1") if self.scene.kind is Kind.REVOLUTION else ("omega", "C1")
 
 
 @lru_cache(maxsize=32)
@@ -160,10 +159,10 @@ def chosen(without: str) -> Chosen:
     read = SceneTable(table)
     scene = read.system
     families: Sequence[Family] = PRINCIPAL
-    if in_orbit(scene):
+    if scene.kind is Kind.ORBIT:
         families = (EARTH_POINTING, *(PRECESSIONS if scene.body.is_of_revolution() else ()))
-    elif scene.potential is not None:
-        families = (*POLES.values(), E3 if reducible(scene) else PERMANENT)
+    elif scene.kind is not Kind.FREE:
+        families = (*POLES.values(), E3 if scene.kind is Kind.REVOLUTION else PERMANENT)
     found = Chosen(read.table, scene, families, POINT)
     if POINT in table:
         return found

@@ -2,10 +2,10 @@
 
 A scene is a body and a field, `assemble`d into a Lie-Poisson system; its equilibria (`upright`, `hanging`,
 `inclined`, …, or all by `relative_equilibria`) are analysed (`analyze`) into conditions and verdicts, and
-those solved for parameters (`stabilizing_set`). Beyond that: `gyrostat.charts`, verdicts over ranges of
-parameters; `gyrostat.trajectories`, motions; `gyrostat.mechanics`, the classical formulas;
-`gyrostat.plotting`, pictures; `gyrostat.published`, printed formulas checked. What these need is loaded when
-they are used.
+those solved for parameters (`stabilizing_set`). Beyond that: `gyrostat.derivation`, the steps to the
+conditions one by one; `gyrostat.charts`, verdicts over ranges of parameters; `gyrostat.trajectories`,
+motions; `gyrostat.mechanics`, the classical formulas; `gyrostat.plotting`, pictures; `gyrostat.published`,
+printed formulas checked. What these need is loaded when they are used.
 """
 from importlib import import_module
 from typing import TYPE_CHECKING
@@ -17,8 +17,7 @@ from .cli import start as _start  # noqa: F401 (what Ctrl-C does while the rest 
 from .version import __version__
 
 if TYPE_CHECKING:
-    from . import charts, mechanics, plotting, published, trajectories
-    from .algebra.enclosures.precision import own_precision
+    from . import charts, derivation, mechanics, plotting, published, trajectories
     from .equilibria.continuation.continuation import Continuation, continuation
     from .equilibria.continuation.free_branches import RotationContinuation
     from .equilibria.continuation.heavy_branches import HeavyContinuation
@@ -34,7 +33,6 @@ if TYPE_CHECKING:
     from .equilibria.finders.precession_branch import Branch
     from .equilibria.search import relative_equilibria
     from .mechanics.equilibrium.claimed_point import equilibrium
-    from .mechanics.equilibrium.coadjoint_orbit import orbit_tangent, symplectic_slice
     from .mechanics.equilibrium.equilibrium import Equilibrium
     from .mechanics.equilibrium.parallel_directions import parallel_directions
     from .mechanics.equilibrium.reduction import reduce
@@ -63,16 +61,7 @@ if TYPE_CHECKING:
     from .parameters.spectra import Spectrum, spectrum
     from .parameters.stabilizing_set import stabilizing_set
     from .printing.formats.article import to_latex
-    from .stability.criteria.conditions import Condition, Criterion, independent
-    from .stability.criteria.energy_casimir import (
-        SecondVariation,
-        augmented_hessian,
-        multipliers,
-        second_variation,
-        secular_variation,
-    )
-    from .stability.criteria.linearization import Linearization, linearize
-    from .stability.criteria.three_criteria import formal_criterion, secular_criterion, spectral_criterion
+    from .stability.criteria.conditions import Condition, Criterion
     from .stability.damping.energy_sink import energy_sink_criterion
     from .stability.decision import Decision, Rung, Verdict
     from .stability.normal_forms.d4_along_family import Window
@@ -85,27 +74,24 @@ _Shown.formula = lambda shown: import_module("gyrostat.printing.formats.latex").
 _Shown.plain = lambda shown: import_module("gyrostat.printing.formats.text").plain(shown)
 
 __all__ = [
-    "__version__", "amended_potential", "AmendedPotential", "analyze", "assemble", "augmented_hessian",
-    "axial_potential", "Bifurcation", "bifurcation_points", "BifurcationPoint", "bifurcations", "Branch",
-    "Case", "charts", "circular_orbit", "Condition", "Continuation", "continuation", "coupled_potential",
-    "CoupledPotential", "Criterion", "CriticalPoint", "Decision", "earth_pointing",
-    "earth_pointing_gyrostat", "energy_sink_criterion", "Equilibrium", "equilibrium", "errors",
-    "formal_criterion", "general_potential", "Gyrostat", "gyrostat_with_rotors", "GyrostatArc", "hanging",
-    "HeavyContinuation", "HeavyRotation", "ideal_fluid", "inclined", "independent", "Interval",
-    "lie_poisson", "LiePoisson", "Linearization", "linearize", "mechanics", "multipliers", "newtonian_field",
-    "NormalForm", "NOTATION", "orbit_tangent", "orbital_precession", "OrbitalEquilibrium", "own_precision",
-    "parallel_directions", "permanent_rotation", "PermanentRotation", "plotting", "Potential",
-    "principal_rotation", "published", "reduce", "relative_equilibria", "release", "Report",
-    "RotationContinuation", "Rotor", "Rung", "second_variation", "SecondVariation", "secular_criterion",
-    "secular_variation", "Solution", "solve_condition", "SolvedCondition", "spectral_criterion", "Spectrum",
-    "spectrum", "stabilizing_set", "static_tilt", "staude_cone", "StaudeArc", "StaudeCone", "steady_motion",
-    "stereographic", "symbol", "symmetric_gyrostat", "symplectic_slice", "System", "to_latex",
-    "trajectories", "underwater_vehicle", "uniform_field", "upright", "Verdict", "Window",
+    "__version__", "amended_potential", "AmendedPotential", "analyze", "assemble", "axial_potential",
+    "Bifurcation", "bifurcation_points", "BifurcationPoint", "bifurcations", "Branch", "Case", "charts",
+    "circular_orbit", "Condition", "Continuation", "continuation", "coupled_potential", "CoupledPotential",
+    "Criterion", "CriticalPoint", "Decision", "derivation", "earth_pointing", "earth_pointing_gyrostat",
+    "energy_sink_criterion", "Equilibrium", "equilibrium", "errors", "general_potential", "Gyrostat",
+    "gyrostat_with_rotors", "GyrostatArc", "hanging", "HeavyContinuation", "HeavyRotation", "ideal_fluid",
+    "inclined", "Interval", "lie_poisson", "LiePoisson", "mechanics", "newtonian_field", "NormalForm",
+    "NOTATION", "orbital_precession", "OrbitalEquilibrium", "parallel_directions", "permanent_rotation",
+    "PermanentRotation", "plotting", "Potential", "principal_rotation", "published", "reduce",
+    "relative_equilibria", "release", "Report", "RotationContinuation", "Rotor", "Rung", "Solution",
+    "solve_condition", "SolvedCondition", "Spectrum", "spectrum", "stabilizing_set", "static_tilt",
+    "staude_cone", "StaudeArc", "StaudeCone", "steady_motion", "stereographic", "symbol",
+    "symmetric_gyrostat", "System", "to_latex", "trajectories", "underwater_vehicle", "uniform_field",
+    "upright", "Verdict", "Window",
 ]
 
 __getattr__, __dir__ = _later(__name__, {
-    "charts": "", "mechanics": "", "plotting": "", "published": "", "trajectories": "",
-    "algebra.enclosures.precision": "own_precision",
+    "charts": "", "derivation": "", "mechanics": "", "plotting": "", "published": "", "trajectories": "",
     "mechanics.scenes.body": "Gyrostat symmetric_gyrostat",
     "mechanics.scenes.coupled": "CoupledPotential coupled_potential",
     "mechanics.scenes.entered_potential": "axial_potential general_potential",
@@ -116,7 +102,6 @@ __getattr__, __dir__ = _later(__name__, {
     "mechanics.scenes.system": "System assemble",
     "mechanics.scenes.vehicles": "underwater_vehicle",
     "mechanics.equilibrium.claimed_point": "equilibrium",
-    "mechanics.equilibrium.coadjoint_orbit": "orbit_tangent symplectic_slice",
     "mechanics.equilibrium.equilibrium": "Equilibrium",
     "mechanics.equilibrium.parallel_directions": "parallel_directions",
     "mechanics.equilibrium.reduction": "reduce",
@@ -130,11 +115,7 @@ __getattr__, __dir__ = _later(__name__, {
     "mechanics.families.steady_motion": "steady_motion",
     "mechanics.families.tilted": "inclined static_tilt",
     "mechanics.families.vertical": "hanging upright",
-    "stability.criteria.conditions": "Condition Criterion independent",
-    "stability.criteria.energy_casimir":
-        "SecondVariation augmented_hessian multipliers second_variation secular_variation",
-    "stability.criteria.linearization": "Linearization linearize",
-    "stability.criteria.three_criteria": "formal_criterion secular_criterion spectral_criterion",
+    "stability.criteria.conditions": "Condition Criterion",
     "stability.decision": "Decision Rung Verdict",
     "stability.normal_forms.d4_along_family": "Window",
     "stability.normal_forms.normal_form": "NormalForm",

@@ -74,7 +74,8 @@ ANSWERED = {
 # of no body, of numbers, or of what the verbs above make
 OTHERS = {
     "angle_rates", "angular_velocity", "rotation", "free_precession", "FreePrecession", "polhode_period",
-    "Reduction", "expansion", "caption", "draw_chart", "draw_cones", "draw_smelt_plane", "save_animation"}
+    "Reduction", "Kind", "expansion", "caption", "draw_chart", "draw_cones", "draw_smelt_plane",
+    "save_animation"}
 
 
 @pytest.mark.few(1)

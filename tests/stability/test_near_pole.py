@@ -13,7 +13,7 @@ from sympy import Rational, acos, asin, cos, exp, lambdify, sqrt
 
 import gyrostat as gs
 from gyrostat.errors import EquilibriumError, ScopeError
-from gyrostat.mechanics.scenes.near_pole import in_powers
+from gyrostat.mechanics.equilibrium.near_pole import in_powers
 
 k3, m0 = gs.symbol("k3"), gs.symbol("m0")
 HALF = Rational(1, 2)

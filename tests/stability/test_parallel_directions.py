@@ -50,7 +50,7 @@ def test_rising_without_spin(sense):
     expected = {(sense * m0 * m * along - p0**2 * (m - along)).expand() for m in (across, second)}
     assert margins(report.sufficient) == expected == margins(report.damped)
     with pytest.raises(SingularOrbitError, match="directions p and gamma are parallel .* analyze"):
-        gs.linearize(rising)
+        gs.derivation.linearize(rising)
     with pytest.raises(ScopeError, match="no two directions that are parallel"):
         gs.parallel_directions(gs.steady_motion(scene, (0, p0, 0), (0, 0, 1)))
 

@@ -48,7 +48,7 @@ def test_random_translations(seed, full):
         assert not any(vehicle.rates(z))
         eq = gs.steady_motion(scene_of(vehicle), exact(p), exact(z[6:]))
         found, report = vehicle.polynomial(z), gs.analyze(eq)
-        assert gs.linearize(eq).coefficients == tuple(exact([found[2], found[4], found[6]]))
+        assert gs.derivation.linearize(eq).coefficients == tuple(exact([found[2], found[4], found[6]]))
         state = [*vehicle.momenta(z[:3], z[3:6])[0], *p, *z[6:]]
         plus, minus, null = second_variation(vehicle.energy(), state)
         assert (report.verdict({}).verdict.name == "STABLE") == (plus == 6)
@@ -80,6 +80,6 @@ def test_random_steady_rotations(seed, full):
         found, report = turned.polynomial(z), gs.analyze(eq)
         turning = dot(omega, omega)                        # γ, without weight, is carried along
         assert found[6] == turning * (found[4] - turning * (found[2] - turning))
-        assert gs.linearize(eq).coefficients == tuple(
+        assert gs.derivation.linearize(eq).coefficients == tuple(
             exact([found[2] - turning, found[4] - turning * (found[2] - turning)]))
         assert report.verdict({}, damped=True).growing == turned.growing(z)

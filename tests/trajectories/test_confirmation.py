@@ -169,8 +169,8 @@ def test_too_slow_an_escape_is_not_waited_for(asymmetric_report, monkeypatch, me
 def test_an_escape_without_growth_is_not_denied(quartic, monkeypatch):
     """ẍ = c x³ leaves after a time like 1/ε: integrated for less, a motion says nothing against it."""
     pytest.importorskip("heyoka")
-    monkeypatch.setattr(models, "reducible", lambda scene: False)
-    monkeypatch.setattr(models, "of_revolution", lambda scene, point: None)
+    monkeypatch.setattr(models, "_route", lambda scene, point, bits, tolerance: models.Integration(
+        scene, point, tolerance))
     values = {"a": -1, "b": -1, "c": 0, "I1": 1, "I3": 2, "omega": 1, "k3": 0}
     found = confirm(quartic["inclined"], values, [Fraction(1, 10**d) for d in (6, 7, 8)])
     assert found.decision.verdict is Verdict.UNSTABLE and found.routes == ("heyoka",)

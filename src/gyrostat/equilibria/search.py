@@ -1,11 +1,10 @@
 """All relative equilibria of a scene, with their decisions: the one verb for every kind of scene."""
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import Any
 
 from ..arguments import checked
-from ..mechanics.equilibrium.reduction import reducible
-from ..mechanics.families.circular_orbit import in_orbit
 from ..mechanics.scenes.coupled import in_one_direction
+from ..mechanics.scenes.kind import Kind
 from ..mechanics.scenes.system import System
 from .finders.free import rotations_at
 from .finders.free_rotation import PermanentRotation
@@ -93,11 +92,18 @@ def relative_equilibria(scene: System, values: Mapping[str, Any]
     >>> [(b.momentum, b.decision.verdict.name) for b in gs.relative_equilibria(free, {"M": 1})[::2]]
     [((0, 0, -1), 'STABLE'), ((0, -1, 0), 'UNSTABLE'), ((-1, 0, 0), 'STABLE')]
     """
-    if in_orbit(scene):
-        return orbital_equilibria(scene, values)
-    in_one_direction(scene.potential, "relative_equilibria")
-    if scene.potential is None:
-        return rotations_at(scene, values)
-    if reducible(scene) or not scene.potential.given or asked_about(scene, values):
+    if scene.kind not in FINDERS:
+        in_one_direction(scene.potential, "relative_equilibria")
+    return FINDERS[scene.kind](scene, values)
+
+
+def _in_field(scene: System, values: Mapping[str, Any]) -> list[Branch] | list[HeavyRotation]:
+    """Of a body that is not of revolution about axis 3: it may be about another axis."""
+    if scene.unspecified or asked_about(scene, values):
         return branches_at(scene, values)
     return heavy_rotations(scene, values)
+
+
+FINDERS: Mapping[Kind, Callable[[System, Mapping[str, Any]], Any]] = {
+    Kind.FREE: rotations_at, Kind.REVOLUTION: branches_at, Kind.FIELD: _in_field,
+    Kind.ORBIT: orbital_equilibria}

@@ -17,16 +17,17 @@ if TYPE_CHECKING:
     from .classical.lagrangian import angular_momentum, effective_potential, lagrangian, momenta
     from .equilibrium.reduced_series import expansion
     from .equilibrium.reduction import Reduction
+    from .scenes.kind import Kind
     from .scenes.principal_axes import principal_axes
 
 __all__ = ["angle_rates", "angular_momentum", "angular_velocity",
-           "effective_potential", "expansion", "free_precession", "FreePrecession", "lagrangian", "momenta",
-           "momentum_limits", "polhode_period", "principal_axes", "Reduction", "rotation",
+           "effective_potential", "expansion", "free_precession", "FreePrecession", "Kind", "lagrangian",
+           "momenta", "momentum_limits", "polhode_period", "principal_axes", "Reduction", "rotation",
            "torque_equations"]
 
 __getattr__, __dir__ = later(__name__, {
     "classical.attitude": "angle_rates angular_velocity rotation",
-    "scenes.principal_axes": "principal_axes",
+    "scenes.principal_axes": "principal_axes", "scenes.kind": "Kind",
     "classical.free_body": "momentum_limits polhode_period torque_equations",
     "classical.lagrangian": "angular_momentum effective_potential lagrangian momenta",
     "classical.free_precession": "FreePrecession free_precession", "equilibrium.reduced_series": "expansion",

@@ -155,8 +155,8 @@ def _parts(linear: Linearization) -> list[tuple[list[Expr], Sequence[Condition]]
     factors = factors_in_squares(linear.coefficients)
     if len(factors) == 1:
         raise ScopeError(f"the eigenvalues of {eq.label} are the roots of a polynomial of degree six that "
-                         "does not factor, and these are not followed: linearize(eq).eigenvalues() has them "
-                         "at numbers")
+                         "does not factor, and these are not followed: "
+                         "analyze(eq).linearization.eigenvalues() has them at numbers")
     signs = signs_over(eq, [c for factor in factors for c in factor])
     return [([eq.insert(c / first) for c in others],
              [condition_of(signs.ring, item, eq) for item in items_of_factors([(first, *others)], signs)])

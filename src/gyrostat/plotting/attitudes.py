@@ -10,7 +10,7 @@ from ..arguments import checked
 from ..equilibria.finders.orbital_equilibrium import OrbitalEquilibrium, balls
 from ..equilibria.search import relative_equilibria
 from ..errors import ScopeError
-from ..mechanics.families.circular_orbit import in_orbit
+from ..mechanics.scenes.kind import Kind
 from ..mechanics.scenes.system import System
 from ..stability.decision import Verdict
 from .globe import circle, curve_on, dots_on, stage
@@ -64,7 +64,7 @@ def draw_attitudes(scene: System, values: Mapping[str, Any] | None = None, ax: A
     >>> [text.get_text() for text in ax.get_legend().get_texts()]
     ['stable', 'unstable', '$n$ from $r$']
     """
-    if not in_orbit(scene):
+    if scene.kind is not Kind.ORBIT:
         raise ScopeError("attitudes are those of a satellite in orbit: assemble(body, circular_orbit())")
     found = [e for e in relative_equilibria(scene, values or {}) if isinstance(e, OrbitalEquilibrium)]
     ax = axes_of(ax, three=True)

@@ -7,7 +7,8 @@ import numpy as np
 from ..algebra.enclosures.floats import Array, row
 from ..arguments import checked
 from ..errors import ScopeError
-from ..mechanics.families.circular_orbit import in_orbit, orbital_rate
+from ..mechanics.families.circular_orbit import orbital_rate
+from ..mechanics.scenes.kind import Kind
 from ..trajectories import Motion, roll_pitch_yaw
 from .headings import heading, of_motion
 from .looks import BLUE, DARK, INK, axes_of, legend, named
@@ -62,7 +63,7 @@ def draw_librations(motion: Motion, times: Any, ax: Any = None, *, pointing: Seq
     >>> [text.get_text() for text in ax.get_legend().get_texts()], ax.get_xlabel(), ax.get_ylabel()
     (['roll', 'pitch', 'yaw'], 'orbits', 'angle [°]')
     """
-    if not in_orbit(motion.scene):
+    if motion.scene.kind is not Kind.ORBIT:
         raise ScopeError("librations are those of a satellite in orbit: assemble(body, circular_orbit())")
     times = row(times, "the times")
     ax = axes_of(ax)

@@ -8,8 +8,9 @@ from sympy import ImmutableMatrix
 
 from ..algebra.enclosures.floats import Array
 from ..errors import ValuesError, optional
-from ..mechanics.families.circular_orbit import in_orbit, orbital_rate
+from ..mechanics.families.circular_orbit import orbital_rate
 from ..mechanics.scenes.body import Gyrostat
+from ..mechanics.scenes.kind import Kind
 from ..mechanics.scenes.system import System
 from ..notation import NOTATION, Entry, units
 from ..typesetting import typeset
@@ -61,7 +62,7 @@ def columns(scene: System, times: Array, states: Array, turns: Array | None,
         found.append(Column(f"q{i}", "1", f"q_{i}",
                             f"quaternion from the body to {where}, {'ijk'[i - 1] if i else 'scalar'} part",
                             values))
-    if in_orbit(scene):
+    if scene.kind is Kind.ORBIT:
         return [*found, *_in_orbit(scene, times, turns, pointing)]
     for name, about, values in zip(("phi", "theta", "psi"), ("precession", "tilt", "spin"), euler(turns).T):
         found.append(Column(name, "rad", rf"\{name}", f"Euler angle (z-x-z) of the {about}", values))

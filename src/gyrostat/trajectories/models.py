@@ -10,7 +10,7 @@ from ..algebra.text.numbers import exact_number
 from ..algebra.text.quantities import not_mixed
 from ..arguments import checked
 from ..errors import AccuracyError, ResolutionError, ScopeError, ValuesError, brief
-from ..mechanics.equilibrium.reduction import reducible
+from ..mechanics.scenes.kind import Kind
 from ..mechanics.scenes.system import System, at_numbers
 from ..stability.criteria.numbers_asked import check_names
 from .free.free_motion import FreeMotion
@@ -93,11 +93,11 @@ def motion(scene: System, state: Sequence[Any], values: Mapping[str, Any] | None
 
 def _route(scene: System, point: tuple[Expr, ...], bits: int, tolerance: float | None) -> Route:
     """What computes the motion."""
-    if scene.potential is None:
+    if scene.kind is Kind.FREE:
         if isinstance(scene.body.inertia, ImmutableMatrix):
             return turned_free(scene, point)
         return FreeMotion(scene, point)
-    if reducible(scene) and any(point[3:]):
+    if scene.kind is Kind.REVOLUTION and any(point[3:]):
         try:
             return AxialMotion(Level(scene, point), bits)
         # towards a root of higher order, as a power of the time
@@ -118,7 +118,7 @@ def with_numbers(scene: System, values: Mapping[str, Any]) -> System:
     free = scene.hamiltonian.free_symbols.union(*(c.free_symbols for c in scene.space.casimirs)) - set(
         scene.space.coordinates
     )
-    if scene.potential is not None and not scene.potential.given:
+    if scene.unspecified:
         raise ScopeError("U(k3) is unspecified: give it to axial_potential, a motion needs numbers")
     check_names(values, sorted(s.name for s in free), "the scene")
     not_mixed(values.items())

@@ -8,7 +8,8 @@ from gyrostat.cli.options.options import axis_of, numbers_of
 from gyrostat.cli.options.scene_files import with_scene
 from gyrostat.cli.parser import main, parser
 from gyrostat.errors import GyrostatError, ValuesError
-from gyrostat.mechanics.families.named_families import FAMILIES, called, in_words, known_where, named
+from gyrostat.mechanics.families.named_families import FAMILIES, called, in_words, known_of, named
+from gyrostat.mechanics.scenes.kind import Kind
 
 HEAVY = ["--potential", "m0*k3", "--equilibrium", "E1"]
 SPUN = ["I1=1", "I3=1.6", "l=0", "m0=1", "omega3_0=1.25"]
@@ -58,11 +59,11 @@ def test_equilibria_have_the_words_of_the_field(text, label):
 
 def test_the_words_are_those_of_the_families():
     """A word that several have names none of them."""
-    assert list(named(known_where("field"))) == ["E1", "E2", "E3", "permanent-rotation", "upright", "hanging",
-                                         "inclined"]
-    assert in_words(known_where("field")) == (
+    assert list(named(known_of(Kind.FIELD))) == ["E1", "E2", "E3", "permanent-rotation", "upright", "hanging",
+                                              "inclined"]
+    assert in_words(known_of(Kind.FIELD)) == (
         "E1 or upright, E2 or hanging, E3 or inclined, permanent-rotation")
-    free = known_where("free")
+    free = known_of(Kind.FREE)
     assert called("Axis 2", free) is FAMILIES["rotation about axis 2"]
     assert called("principal rotation", free) is None
 

@@ -68,8 +68,8 @@ def test_closed_forms_are_those_of_the_matrices():
         gradient = [x + y for x, y in zip(c, slopes)]
         rows = [[inertia[i] if i == j else 0 for j in range(3)] for i in range(3)]
         form = amended_form(rows, rotor, gradient, Q, k, omega)
-        assert gs.linearize(eq).coefficients == (form.p, form.q)
-        form = gs.second_variation(eq).matrix
+        assert gs.derivation.linearize(eq).coefficients == (form.p, form.q)
+        form = gs.derivation.second_variation(eq).matrix
         minors = [form[:n, :n].det() for n in range(1, 5)]
         found = amended_form(rows, rotor, gradient, Q, k, omega)
         assert all(m > 0 for m in minors) == (found.trace > 0 and found.determinant > 0)

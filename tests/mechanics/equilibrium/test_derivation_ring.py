@@ -11,7 +11,7 @@ TOP = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())
 def test_everything_at_an_equilibrium_is_in_one_ring() -> None:
     for eq in (gs.upright(TOP), gs.hanging(TOP), gs.inclined(TOP)):
         entries = [e for row in rows_at_point(eq, TOP.jet_jacobian) for e in row]
-        values = gs.linearize(eq).coefficients
+        values = gs.derivation.linearize(eq).coefficients
         assert signs_over(eq, entries) is signs_over(eq, values) is signs_over(eq, [gs.symbol("nu1")])
 
 

@@ -229,7 +229,7 @@ def test_margins_are_homogeneous_in_mass_time_and_length(field, make):
 
     assert factor(field.expression) == M * L**2 * T**2
     report = gs.analyze(make(gs.assemble(gs.symmetric_gyrostat(), field)))
-    criteria = (gs.spectral_criterion(report.linearization), report.necessary, report.sufficient,
+    criteria = (gs.derivation.spectral_criterion(report.linearization), report.necessary, report.sufficient,
                 report.casimirs_only)
     conditions = [c for criterion in criteria for alternative in criterion.alternatives for c in alternative]
     assert conditions

@@ -26,7 +26,7 @@ def test_conditions_are_in_the_notation_of_the_source(e1, e2, e3):
 
 def test_degenerate_factors_are_shown(e1):
     """The unreduced test says where the discriminant vanishes through its square factor."""
-    discriminant = gs.spectral_criterion(e1.linearization).alternatives[0][2]
+    discriminant = gs.derivation.spectral_criterion(e1.linearization).alternatives[0][2]
     assert to_latex(discriminant).endswith("= 0") and r"\lor" in to_latex(discriminant)
 
 

@@ -22,7 +22,7 @@ def test_objects_print_as_a_person_reads_them(scene, e1, e3):
     decision = e1.verdict({"I1": 1, "I3": 9, "l": 0, "pi3_0": 3, "dU": 1})
     assert str(decision).startswith("STABLE, Lyapunov: ") and "note: no rigid body" in str(decision)
     assert "−1/I₁" in str(e1.linearization).splitlines()[2]
-    discriminant = gs.spectral_criterion(e1.linearization).alternatives[0][2]
+    discriminant = gs.derivation.spectral_criterion(e1.linearization).alternatives[0][2]
     assert str(discriminant).endswith(" = 0") and len(str(scene.space).splitlines()) == 6
 
 

@@ -68,8 +68,8 @@ def test_against_the_matrices_of_the_library(full):
         scene = scene_of(moments, rotor, c, Q)
         eq = gs.equilibrium(scene, (*(omega * m * x for m, x in zip(moments, k)), *k))
         p, q, determinant, trace = heavy_exact.decided(moments, rotor, c, Q, omega, k)
-        assert gs.linearize(eq).coefficients == (Rational(p), Rational(q))
-        second = Matrix(gs.second_variation(eq).matrix)
+        assert gs.derivation.linearize(eq).coefficients == (Rational(p), Rational(q))
+        second = Matrix(gs.derivation.second_variation(eq).matrix)
         minors = [second[:n, :n].det() for n in range(1, 5)]
         assert all(m > 0 for m in minors) == (determinant > 0 and trace > 0)
         assert (minors[3] > 0) == (determinant > 0)

@@ -72,7 +72,7 @@ def test_rumiantsev_and_cavas_viguera():
 
 def test_the_general_test_stays_available(e1):
     """p, q, p² − 4q of E1 with the even factors that VV2003's discriminant (2a + b)² (b² + 4dc) has."""
-    p, q, discriminant = gs.spectral_criterion(e1.linearization).alternatives[0]
+    p, q, discriminant = gs.derivation.spectral_criterion(e1.linearization).alternatives[0]
     even = I3 * P - 2 * I1 * pi3                        # −(2a + b) I1 I3
     assert [c.source for c in (p, q, discriminant)] == ["p", "q", "p² − 4q"]
     assert discriminant.margin == expand(P**2 - 4 * I1 * dU)
@@ -93,7 +93,7 @@ def test_reduction_keeps_the_truth(e1, I1_, I3_, l_, spin, u, degenerate, bounda
     if boundary:
         u = (spin + l_) ** 2 / (4 * I1_)
     values = {I1: R(I1_), I3: R(I3_), l: R(l_), pi3: R(spin), dU: R(u)}
-    general = gs.spectral_criterion(e1.linearization)
+    general = gs.derivation.spectral_criterion(e1.linearization)
     assert holds(general, values, {}) == holds(e1.necessary, values, {}) == (not oracle.growth(*reversed(
         oracle.vertical(I1_, I3_, l_, spin, 1, u, 0))))
 
@@ -122,7 +122,7 @@ def test_what_was_dropped_is_proved(e1, e2):
         assert expand(proof.margin - proof.square - proof.factor * proof.by) == 0
         assert proof.factor.is_positive
         assert cancel(proof.square / (I3 * P - 2 * I1 * pi3) ** 2) == Rational(1, 2)
-        p = gs.spectral_criterion(report.linearization).alternatives[0][0]
+        p = gs.derivation.spectral_criterion(report.linearization).alternatives[0][0]
         assert proof.margin == p.margin
 
 
@@ -210,7 +210,7 @@ def test_margins_are_homogeneous(scene, make):
     """Change kilograms and seconds: every margin and every even factor scales by a power."""
     M, T = symbols("M T", positive=True)
     report = gs.analyze(make(scene))
-    criteria = (gs.spectral_criterion(report.linearization), report.necessary, report.sufficient,
+    criteria = (gs.derivation.spectral_criterion(report.linearization), report.necessary, report.sufficient,
                 report.casimirs_only)
     for condition in (c for criterion in criteria for alternative in criterion.alternatives
                       for c in alternative):
@@ -228,7 +228,7 @@ def test_margins_are_primitive_integer_polynomials(e1, e3):
 
 def test_even_factors_survive(e1):
     """The discriminant of E1 alone, without p, keeps its degenerate factor."""
-    discriminant = gs.spectral_criterion(e1.linearization).alternatives[0][2]
+    discriminant = gs.derivation.spectral_criterion(e1.linearization).alternatives[0][2]
     alone = independent(Criterion("spectral", ((discriminant,),)), e1.equilibrium)
     assert single(alone) == discriminant and len(discriminant.degenerate) == 1
 
@@ -245,6 +245,6 @@ def test_four_coefficients_are_refused(e1):
     wider = Linearization(e1.equilibrium, e1.linearization.basis,
                           ImmutableMatrix(diag(e1.linearization.matrix, plane, plane)))
     assert len(wider.coefficients) == 4
-    for use in (gs.spectral_criterion, Linearization.eigenvalues, Linearization.frequencies):
+    for use in (gs.derivation.spectral_criterion, Linearization.eigenvalues, Linearization.frequencies):
         with pytest.raises(ScopeError, match="degree 8 in lamda, with 4 coefficients"):
             use(wider)

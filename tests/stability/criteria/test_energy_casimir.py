@@ -24,7 +24,7 @@ def test_first_variation_vanishes(scene, free):
     """∇h + Σ νⱼ ∇Fⱼ = 0, whatever the free multiplier."""
     for eq in (*(make(scene) for make in (gs.upright, gs.hanging, gs.inclined, gs.static_tilt)),
                gs.principal_rotation(free, 3)):
-        variation = gs.second_variation(eq)
+        variation = gs.derivation.second_variation(eq)
         total = eq.at_point(eq.system.energy_gradient)
         for function, nu in variation.multipliers:
             total += nu * eq.at_point(eq.system.space.gradient(function))
@@ -58,7 +58,7 @@ def test_slice_at_e3_is_transversal_to_the_spin(scene):
     flow = eq.at_point(scene.space.tensor * scene.space.gradient(gs.symbol("pi3")))
     values = {gs.symbol(n): Rational(v) for n, v in (("k3", "3/5"), ("I1", 2), ("I3", 1), ("l", "1/3"),
                                                      ("omega", "5/7"))}
-    together = Matrix.hstack(Matrix(gs.symplectic_slice(eq)), Matrix(flow)).subs(values)
+    together = Matrix.hstack(Matrix(gs.derivation.symplectic_slice(eq)), Matrix(flow)).subs(values)
     assert together.rank() == 3
     casimirs = Matrix.vstack(*(Matrix(eq.at_point(scene.space.gradient(c)).T)
                                for c in (*scene.space.casimirs, gs.symbol("pi3"))))
@@ -120,7 +120,7 @@ def test_definiteness_of_a_general_body(inertia, rotor, a, b, w, s, mu):
                              + sum(R(H[i, j]) * d[i] * d[j] for i in range(3) for j in range(3)) / 2)
     eq = gs.equilibrium(gs.assemble(gs.Gyrostat(inertia, rotor), U),
                         [*map(R, w * I * np.array(k, dtype=object)), *map(R, k)])
-    criterion = gs.formal_criterion(gs.second_variation(eq, integrals=False))
+    criterion = gs.derivation.formal_criterion(gs.derivation.second_variation(eq, integrals=False))
     assert bool(criterion.alternatives) == (determinant > 0 and form[0][0] > 0)
 
 
@@ -139,8 +139,8 @@ def test_e1_forms_differ_by_the_integral(scene, integrals):
     The value π3's multiplier 0 gives the same form.
     """
     eq = gs.upright(scene)
-    variation = gs.second_variation(eq, integrals=integrals)
+    variation = gs.derivation.second_variation(eq, integrals=integrals)
     assert len(variation.free) == integrals
-    alone = gs.second_variation(eq, integrals=False).matrix
+    alone = gs.derivation.second_variation(eq, integrals=False).matrix
     at_zero = variation.matrix.xreplace({nu: -gs.symbol("pi3_0") / gs.symbol("I3") for nu in variation.free})
     assert (at_zero - alone).applyfunc(cancel) == Matrix.zeros(4, 4)

@@ -103,6 +103,6 @@ def test_opposite_signs_merge_only_where_zero_is_excluded():
 
 def test_where_q_is_0_the_discriminant_is_the_square_of_p(e3):
     """At a tilt, along the spin: it vanishes where p does."""
-    p, q, discriminant = gs.spectral_criterion(e3.linearization).alternatives[0]
+    p, q, discriminant = gs.derivation.spectral_criterion(e3.linearization).alternatives[0]
     assert q.margin == 0
     assert (discriminant.margin, discriminant.degenerate) == (1, (p.margin,))

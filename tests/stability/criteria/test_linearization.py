@@ -98,7 +98,7 @@ def test_general_body_at_a_claimed_point(inertia, rotor, a, b, w, mu, s):
     U = gs.general_potential(lambda *d: sum(R(c) * x for c, x in zip(g, d))
                              + sum(R(H[i, j]) * d[i] * d[j] for i in range(3) for j in range(3)) / 2)
     eq = gs.equilibrium(gs.assemble(gs.Gyrostat(inertia, rotor), U), list(map(R, point)))
-    linear = gs.linearize(eq)
+    linear = gs.derivation.linearize(eq)
     assert_restriction(jacobian, linear)
     p, q = linear.coefficients
     assert list(map(R, oracle.characteristic(jacobian))) == [1, 0, p, 0, q, 0, 0]
@@ -117,7 +117,7 @@ def test_free_rotation_polynomial(inertia, l, w, axis):
     theirs = oracle.characteristic(
         oracle.jacobian(lambda x: oracle.free_field(x, oracle.exact(inertia), oracle.exact(rotor)), point)
     )
-    (q,) = gs.linearize(eq).coefficients
+    (q,) = gs.derivation.linearize(eq).coefficients
     assert list(map(R, theirs)) == [1, 0, R(q.subs(gs.symbol(f"omega{axis}_0"), R(w))), 0]
 
 
@@ -135,7 +135,7 @@ def test_asymmetric_polynomial(asymmetric):
     """
     I1, I2, I3, l, m0, m1, w = map(gs.symbol, ("I1", "I2", "I3", "l", "m0", "m1", "omega3_0"))
     a1, a2 = ((I3 - I) * (w**2 - m1) + l * w - m0 for I in (I1, I2))
-    p, q = gs.linearize(gs.upright(asymmetric, spin="omega3_0")).coefficients
+    p, q = gs.derivation.linearize(gs.upright(asymmetric, spin="omega3_0")).coefficients
     assert cancel(q - a1 * a2 / (I1 * I2)) == 0
     assert cancel(p - ((l + (I3 - I1 - I2) * w) ** 2 + I1 * a1 + I2 * a2) / (I1 * I2)) == 0
 
@@ -145,7 +145,7 @@ def test_linearisation_is_bracket_of_the_second_variation(scene, make):
     """J = B · D²(h + ν·C): the left side differentiates the field, the right side the energy."""
     eq = make(scene)
     tensor = eq.at_point(scene.space.tensor)
-    right = tensor * gs.augmented_hessian(eq, scene.space.casimirs)
+    right = tensor * gs.derivation.augmented_hessian(eq, scene.space.casimirs)
     assert (eq.at_point(scene.jet_jacobian) - right).applyfunc(simplify) == Matrix.zeros(6, 6)
 
 
@@ -153,7 +153,7 @@ def test_tangent_space_is_the_kernel_of_the_casimirs(scene):
     """δπ·k + M·δk = 0 and δk·k = 0 for every basis vector of T."""
     for make in (gs.upright, gs.hanging, gs.inclined, gs.static_tilt):
         eq = make(scene)
-        basis = gs.orbit_tangent(eq)
+        basis = gs.derivation.orbit_tangent(eq)
         assert basis.shape == (6, 4) and basis.subs({gs.symbol("k3"): Rational(3, 5)}).rank() == 4
         M = Matrix(eq.point[:3]) + Matrix(scene.body.gyrostatic_momentum)
         k = Matrix(eq.point[3:])
@@ -167,7 +167,8 @@ def test_characteristic_polynomial_is_that_of_the_matrix(e1, e3, free):
     """The coefficients come from traces; SymPy's determinant agrees at numbers."""
     values = S(I1=2, I3="3/5", l="1/3", pi3_0="-7/4", dU="5/2", omega="2/3", k3="3/5", d2U="-1/7", I2="9/4",
                omega3_0="5/6")
-    for linear in (e1.linearization, e3.linearization, gs.linearize(gs.principal_rotation(free, 3))):
+    turning = gs.principal_rotation(free, 3)
+    for linear in (e1.linearization, e3.linearization, gs.derivation.linearize(turning)):
         matrix = Matrix(linear.matrix.subs(values))
         theirs = (LAMBDA * Matrix.eye(matrix.rows) - matrix).det()
         assert expand(linear.characteristic_polynomial().subs(values) - theirs) == 0
@@ -207,7 +208,7 @@ def test_eigenvalues_where_roots_nest(asymmetric, free):
     """
     numbers = S(I1=2, I2="7/5", I3="3/2", l="1/3", omega3_0="5/6", m0="2/7", m1="-1/9")
     for eq in (gs.upright(asymmetric, spin="omega3_0"), gs.principal_rotation(free, 3)):
-        linear = gs.linearize(eq)
+        linear = gs.derivation.linearize(eq)
         roots = [root.subs(numbers) for root in linear.eigenvalues()]
         polynomial = expand(eq.insert(linear.characteristic_polynomial()).subs(numbers))
         product = 1
@@ -231,18 +232,19 @@ def test_sleeping_top_eigenvalues(e1):
 def test_singular_orbits_are_refused(scene):
     """k = 0 is an equilibrium of the bracket on an orbit of lower dimension: an error, with the reason."""
     eq = gs.equilibrium(scene, (0, 0, gs.symbol("p"), 0, 0, 0), label="E0")
-    for verb in (gs.linearize, gs.second_variation, gs.orbit_tangent, gs.symplectic_slice):
+    for verb in (gs.derivation.linearize, gs.derivation.second_variation, gs.derivation.orbit_tangent,
+                 gs.derivation.symplectic_slice):
         with pytest.raises(SingularOrbitError, match="E0 lies on .*: the differentials of .* rank 1, not 2"):
             verb(eq)
     free = gs.assemble(gs.Gyrostat(gyrostatic_momentum=(0, 0, 2)))
     with pytest.raises(SingularOrbitError, match="M ≠ 0"):
-        gs.linearize(gs.equilibrium(free, (0, 0, -2)))
+        gs.derivation.linearize(gs.equilibrium(free, (0, 0, -2)))
 
 
 def test_given_potentials_are_inserted_on_demand():
     """The matrix keeps dU; equilibrium.insert puts U'(1)."""
     eq = gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.newtonian_field(2)))
     m0, m1, I1, I3 = map(gs.symbol, ("m0", "m1", "I1", "I3"))
-    entry = eq.insert(gs.linearize(eq).matrix)[0, 3]
-    assert isinstance(eq.insert(gs.linearize(eq).matrix), ImmutableMatrix)
+    entry = eq.insert(gs.derivation.linearize(eq).matrix)[0, 3]
+    assert isinstance(eq.insert(gs.derivation.linearize(eq).matrix), ImmutableMatrix)
     assert expand(entry - m0 + m1 * (I1 - I3)) == 0

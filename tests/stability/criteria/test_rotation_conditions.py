@@ -39,9 +39,9 @@ def test_positive_definite_where_the_matrix_is(turned, full):
     seen = set()
     for _ in range(sampled(300, full, 12)):
         eq = rotation(rng, turned)
-        matrix = gs.second_variation(eq).matrix
+        matrix = gs.derivation.second_variation(eq).matrix
         wanted = all(matrix[:n, :n].det() > 0 for n in range(1, 5))
-        assert holds(formal_criterion(gs.second_variation(eq)), Point({}), {}) is wanted
+        assert holds(formal_criterion(gs.derivation.second_variation(eq)), Point({}), {}) is wanted
         assert holds(secular_criterion(secular_variation(eq)), Point({}), {}) is wanted
         seen.add(wanted)
     assert seen == {True, False}

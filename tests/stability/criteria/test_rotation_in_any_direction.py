@@ -31,9 +31,9 @@ def test_p_and_q_are_those_of_the_matrix_and_t_and_s_its_signs(families, kind, f
         eq, report = claimed(numbers, Q), families[kind]
         decision = report.verdict(asked(numbers, kind, Q))
         found = {str(margin): value for margin, value in decision.margins}
-        wanted = dict(zip("pq", gs.linearize(eq).coefficients))
+        wanted = dict(zip("pq", gs.derivation.linearize(eq).coefficients))
         assert all(found.get(name, value) == value for name, value in wanted.items())
-        matrix = gs.second_variation(eq).matrix
+        matrix = gs.derivation.second_variation(eq).matrix
         definite = all(matrix[:n, :n].det() > 0 for n in range(1, 5))
         assert bool(found["t"] > 0 and found["s"] > 0) is definite
         if kind != "unspecified" or decision.verdict.name != "UNDECIDED":
@@ -116,7 +116,8 @@ def test_a_tensor_and_a_claimed_family():
         decision = report.verdict(place)
         assert decision.verdict is gs.analyze(eq).verdict({}).verdict
         found = {str(margin): value for margin, value in decision.margins}
-        assert all(found.get(x, value) == value for x, value in zip("pq", gs.linearize(eq).coefficients))
+        coefficients = gs.derivation.linearize(eq).coefficients
+        assert all(found.get(x, value) == value for x, value in zip("pq", coefficients))
     relations = [(f"c{n}", gs.symbol("sigma") * x) for n, x in enumerate((k1, k2, k3), 1)]
     rest = gs.analyze(gs.equilibrium(report.equilibrium.system, (0, 0, 0, k1, k2, k3), relations=relations))
     assert rest.verdict({"k1": k[0], "k2": k[1], "k3": k[2], "sigma": -1}).margins == decision.margins
@@ -149,7 +150,7 @@ def test_the_definitions_in_json_are_the_conditions(families, kind):
         place = {n: Fraction(str(x)) for n, x in asked(numbers, kind, Q).items()}
         for name, text in data["definitions"].items():
             place[name] = eval(text, {}, place)
-        wanted = gs.linearize(claimed(numbers, Q)).coefficients
+        wanted = gs.derivation.linearize(claimed(numbers, Q)).coefficients
         assert tuple(Rational(place[name]) for name in "pq") == wanted
 
 

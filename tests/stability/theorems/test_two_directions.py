@@ -73,6 +73,6 @@ def test_a_curve_that_is_left():
     assert len(on_curve) == 8
     for e in on_curve:
         assert e.decision.verdict is gs.Verdict.UNSTABLE
-        c2, c1, c0 = (float(evaluate(c, {})) for c in gs.linearize(e.equilibrium).coefficients)
+        c2, c1, c0 = (float(evaluate(c, {})) for c in gs.derivation.linearize(e.equilibrium).coefficients)
         assert abs(c0) < 1e-15
         assert float(e.growth_rate) == pytest.approx(max(np.roots([1, 0, c2, 0, c1]).real), rel=1e-12)

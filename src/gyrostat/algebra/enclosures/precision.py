@@ -47,7 +47,7 @@ def own_precision(bits: int) -> Iterator[None]:
     --------
     >>> import gyrostat as gs
     >>> from flint import ctx
-    >>> with gs.own_precision(100):
+    >>> with gs.derivation.own_precision(100):
     ...     ctx.prec
     100
     """

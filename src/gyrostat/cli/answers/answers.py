@@ -12,9 +12,8 @@ from ...equilibria.finders.precession_branch import Branch
 from ...equilibria.finders.revolution import branches_at, pole_at
 from ...equilibria.search import relative_equilibria
 from ...errors import ScopeError, ValuesError
-from ...mechanics.equilibrium.reduction import reducible
-from ...mechanics.families.circular_orbit import in_orbit
 from ...mechanics.families.named_families import E3, EARTH_POINTING, FAMILIES, POLES
+from ...mechanics.scenes.kind import Kind
 from ...mechanics.scenes.system import System, at_numbers, names_of_scene
 from ...notation import symbol
 from ...stability.decision import Decision
@@ -68,13 +67,12 @@ def answers_at(asked: Asked, label: str | None, numbers: Mapping[str, Expr]) -> 
     if not wanted and "omega" in numbers and {"pi3_0", "omega3_0", "C1"} & numbers.keys() - own:
         raise ValuesError("omega and a momentum are both given: give omega, or pi3_0 and C1, or k3 and "
                           "pi3_0; or name the --equilibrium")
-    if wanted == (E3.label,) and asked.eliminate is None and reducible(scene):
+    if wanted == (E3.label,) and asked.eliminate is None and scene.kind is Kind.REVOLUTION:
         return _tilted(asked, numbers)
     if wanted:
         return [_answer(asked, wanted[0], numbers)]
-    if reducible(scene):
-        given = scene.potential is not None and scene.potential.given
-        if given and (_level(scene, numbers).keys() - own) & set().union(*MOTION) in MOTION:
+    if scene.kind is Kind.REVOLUTION:
+        if not scene.unspecified and (_level(scene, numbers).keys() - own) & set().union(*MOTION) in MOTION:
             return _all_found(scene, _level(scene, numbers), None)
     elif _asks_for_all(scene, numbers):
         here = at_numbers(scene, {symbol(name): x for name, x in numbers.items()})
@@ -112,7 +110,7 @@ def _of_labels(asked: Asked, numbers: Mapping[str, Expr]) -> list[Answer | Missi
 def _tilted(asked: Asked, numbers: Mapping[str, Expr]) -> list[Answer | Missing]:
     """E3 of a body of revolution: as its names say, or every one of a tilt or a rate."""
     scene = scene_of(asked)
-    if scene.potential is not None and scene.potential.given:
+    if not scene.unspecified:
         if len({"k3", "omega"} & numbers.keys()) == 1:
             return _all_found(scene, _level(scene, numbers), E3.label)
         if not {"k3", "omega"} & numbers.keys():
@@ -128,11 +126,11 @@ def _asks_for_all(scene: System, numbers: Mapping[str, Expr]) -> bool:
     at a rate, on a level or at a tilt; of a satellite in orbit wherever they are enough.
     """
     own = numbers.keys() - {s.name for s in names_of_scene(scene)}
-    if scene.potential is None:
+    if scene.kind is Kind.FREE:
         return "M" in own
-    if in_orbit(scene):
+    if scene.kind is Kind.ORBIT:
         return numbers.keys() >= {s.name for s in names_of_scene(scene)}
-    return scene.potential.given and any(
+    return not scene.unspecified and any(
         name in ("omega", "C1") or name[:1] == "k" and name[1:] in ("1", "2", "3", "c") for name in own)
 
 

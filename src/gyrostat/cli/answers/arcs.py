@@ -10,7 +10,7 @@ from ...algebra.solving.roots import between
 from ...equilibria.curves.gyrostat_arcs import GyrostatArc
 from ...equilibria.curves.staude import staude_cone
 from ...equilibria.curves.staude_arcs import StaudeArc
-from ...mechanics.equilibrium.reduction import reducible
+from ...mechanics.scenes.kind import Kind
 from ...mechanics.scenes.system import names_of_scene
 from ...printing.blocks import Block, Heading
 from ...printing.formats.json_data import decision_data, number_data, strings
@@ -27,10 +27,9 @@ def arcs_at(asked: Asked, label: str | None, numbers: Mapping[str, Expr]) -> Arc
     """Every arc of permanent rotations; none where something else is asked, or U is not c·k."""
     scene = scene_of(asked)
     U = scene.potential
-    if named(asked, label and [label]) or U is None or scene.coupled or not U.given:
+    if named(asked, label and [label]) or U is None or scene.kind is not Kind.FIELD or scene.unspecified:
         return []
-    if reducible(scene) or (
-            numbers.keys() != {s.name for s in names_of_scene(scene)}):
+    if numbers.keys() != {s.name for s in names_of_scene(scene)}:
         return []
     if any(x.free_symbols & set(scene.space.coordinates) for x in map(U.value, filter(None, U.gradient()))):
         return []

@@ -10,9 +10,8 @@ from sympy import Expr, ImmutableMatrix, Symbol
 from ...algebra.text.grammar import parse
 from ...errors import EquilibriumError, GyrostatError, ValuesError
 from ...mechanics.equilibrium.equilibrium import Equilibrium
-from ...mechanics.equilibrium.reduction import reducible
-from ...mechanics.families.circular_orbit import in_orbit
 from ...mechanics.families.named_families import E3, E3_AT_REST, FAMILIES, PRINCIPAL
+from ...mechanics.scenes.kind import Kind
 from ...mechanics.scenes.system import at_numbers, names_of_scene
 from ...notation import jet, symbol
 from ...printing.blocks import Block, Heading, prose
@@ -22,7 +21,7 @@ from ...stability.report.analysis import analyze
 from ...stability.report.report import Report
 from ..options.options import spin_of
 from ..options.scene_texts import Asked, direction_of, one_for_each, pointing_of, scene_of
-from .equilibrium_labels import CLAIMED, by_point, labels, labels_in_words, likely, named, where
+from .equilibrium_labels import CLAIMED, by_point, labels, labels_in_words, likely, named
 
 AT_REST = E3_AT_REST.label
 Names = Mapping[str, Expr | None]                      # numbers, None for a name that an axis gives
@@ -39,17 +38,17 @@ def labels_of(asked: Asked, given: Sequence[str] | None,
     if wanted := named(asked, given):
         return wanted, []
     scene = scene_of(asked)
-    if reducible(scene):
+    if scene.kind is Kind.REVOLUTION:
         return labels(), []
     principal = not isinstance(scene.body.inertia, ImmutableMatrix)
-    if scene.potential is None and principal and not any(scene.body.gyrostatic_momentum[:2]):
+    if scene.kind is Kind.FREE and principal and not any(scene.body.gyrostatic_momentum[:2]):
         return (PRINCIPAL[2].label,), []
     held, decide = [], ""
-    if in_orbit(scene):
+    if scene.kind is Kind.ORBIT:
         decide = "; gyrostat decide finds all, where every name has a number"
-    elif scene.potential is None:
+    elif scene.kind is Kind.FREE:
         decide = "; gyrostat decide finds all, where every name and M have a number"
-    elif scene.potential.given:
+    elif not scene.unspecified:
         decide = ("; gyrostat decide finds those of a rate omega, a level C1 or a direction k1, k2, k3, "
                   "where every name has a number")
     for family in likely(scene):
@@ -152,7 +151,7 @@ def report_for(what: str, asked: Asked, given: str | None, numbers: Names) -> Re
     """The report of the one equilibrium that a chart or a picture is of."""
     scene = scene_of(asked)
     wanted, missing = labels_of(asked, given and [given], numbers)
-    if not named(asked, given and [given]) and (where(scene) == "field" or len(wanted) > 1):
+    if not named(asked, given and [given]) and (scene.kind not in (Kind.FREE, Kind.ORBIT) or len(wanted) > 1):
         raise ValuesError(f"--equilibrium is missing, a {what} is of one: name {labels_in_words(scene)}, or "
                           f"a point, {by_point(scene)}")
     some(wanted, missing)
@@ -170,7 +169,7 @@ def _tilted(asked: Asked, numbers: Names) -> list[Report]:
     Without numbers the tilt at rest of a given U too, if there is one.
     """
     scene = scene_of(asked)
-    if not reducible(scene):
+    if scene.kind is not Kind.REVOLUTION:
         raise ValuesError("E3 is a family of bodies of revolution in U(k3), and this scene is none of them: "
                           f"name a point of it, {by_point(scene)}")
     if scene.potential and scene.potential.given and asked.eliminate is None:
@@ -188,9 +187,8 @@ def known_names(asked: Asked, reports: Sequence[Report], numbers: Names) -> None
     """Refuse a name that neither the scene nor one of the reports has."""
     scene = scene_of(asked)
     known = {name for report in reports for name in report.parameters} | set(map(str, names_of_scene(scene)))
-    free_jet = scene.potential is not None and not scene.potential.given
     for name in numbers:
-        if name not in known and not (free_jet and jet(name)):
+        if name not in known and not (scene.unspecified and jet(name)):
             raise ValuesError(unknown(name, sorted(known), "the scene"))
 
 
@@ -213,6 +211,5 @@ def both_verdicts(report: Report, numbers: Mapping[str, Expr]) -> tuple[Decision
 
 def its_own(report: Report, numbers: Mapping[str, Expr]) -> dict[str, Expr]:
     """Those of the numbers that the report takes; of an unspecified U, every derivative."""
-    potential = report.equilibrium.system.potential
-    jets = potential is not None and not potential.given
+    jets = report.equilibrium.system.unspecified
     return {n: x for n, x in numbers.items() if n in report.parameters or (jets and jet(n))}

@@ -2,7 +2,6 @@
 from collections.abc import Collection, Sequence
 
 from ...errors import ValuesError
-from ...mechanics.families.circular_orbit import in_orbit
 from ...mechanics.families.family import Family
 from ...mechanics.families.named_families import (
     EARTH_POINTING,
@@ -10,8 +9,9 @@ from ...mechanics.families.named_families import (
     POLES,
     PRECESSIONS,
     PRINCIPAL,
-    known_where,
+    known_of,
 )
+from ...mechanics.scenes.kind import Kind
 from ...mechanics.scenes.system import System
 from ..options.scene_texts import Asked, scene_of
 
@@ -26,28 +26,22 @@ def named(asked: Asked, given: Sequence[str] | None) -> tuple[str, ...]:
                               "two")
         return (CLAIMED,)
     scene, known = scene_of(asked), {f.asked_for: f for f in FAMILIES.values()}
-    here = where(scene)
     for text in given or ():
         family = known[text]
-        if family.where == here:
+        if scene.kind in family.kinds:
             continue
-        if family.where == "orbit":
+        if Kind.ORBIT in family.kinds:
             raise ValuesError(f"--equilibrium {text} is of a satellite in orbit, and this body is in none: "
                               "add --orbit omega0")
-        if here == "free":
+        if scene.kind is Kind.FREE:
             raise ValuesError(f"--equilibrium {text} needs a field, --potential none has none: leave out one "
                               "of the two")
-        what = "a free body" if family.where == "free" else "a body in a field fixed in space"
-        lies = (f"--orbit {asked.orbit} is an orbit" if here == "orbit"
+        what = "a free body" if Kind.FREE in family.kinds else "a body in a field fixed in space"
+        lies = (f"--orbit {asked.orbit} is an orbit" if scene.kind is Kind.ORBIT
                 else f"--potential {asked.potential} is a field")
         raise ValuesError(f"--equilibrium {text} is of {what}, {lies}: name {labels_in_words(scene)}, or a "
                           f"point, {by_point(scene)}")
     return tuple(dict.fromkeys(known[text].label for text in given or ()))
-
-
-def where(scene: System) -> str:
-    """The families that a scene has: those in a "field", "free" or in "orbit"."""
-    return "free" if scene.potential is None else "orbit" if in_orbit(scene) else "field"
 
 
 def by_point(scene: System) -> str:
@@ -57,17 +51,17 @@ def by_point(scene: System) -> str:
 
 def labels() -> tuple[str, ...]:
     """The labels of the equilibria of a body of revolution in U(k3)."""
-    return tuple(family.label for family in known_where("field") if family.pole or family.tilted)
+    return tuple(family.label for family in known_of(Kind.REVOLUTION) if family.pole or family.tilted)
 
 
 def labels_in_words(scene: System) -> str:
     """What the families of such scenes are asked for, as a list in words."""
-    *others, last = (family.asked_for for family in known_where(where(scene)))
+    *others, last = (family.asked_for for family in known_of(scene.kind))
     return f"{', '.join(others)} or {last}"
 
 
 def likely(scene: System) -> Collection[Family]:
     """The families that are tried where none is asked for."""
-    if in_orbit(scene):
+    if scene.kind is Kind.ORBIT:
         return (EARTH_POINTING, *(PRECESSIONS if scene.body.is_of_revolution() else ()))
-    return POLES.values() if scene.potential else PRINCIPAL
+    return PRINCIPAL if scene.kind is Kind.FREE else POLES.values()

@@ -9,8 +9,8 @@ from sympy import Expr, Rational, floor
 from ...algebra.enclosures.floats import Array
 from ...algebra.text.numbers import exact_number
 from ...errors import ValuesError
-from ...mechanics.families.circular_orbit import in_orbit
 from ...mechanics.families.release import release
+from ...mechanics.scenes.kind import Kind
 from ...mechanics.scenes.system import System, at_numbers
 from ...notation import symbol
 from ...trajectories import Motion, motion
@@ -39,7 +39,7 @@ def _state(given: argparse.Namespace, scene: System, numbers: Mapping[str, Expr]
         return [exact_number(text, str(name)) for text, name in zip(texts, scene.space.coordinates)]
     if given.state is not None:
         raise ValuesError("--state and --release are both given: leave out one of the two")
-    if not in_orbit(scene):
+    if scene.kind is not Kind.ORBIT:
         raise ValuesError("--release is of a satellite in orbit, and this body is in none: add --orbit, or "
                           "give a --state")
     here = at_numbers(scene, {symbol(name): x for name, x in numbers.items()})

@@ -15,7 +15,7 @@ from sympy import Add, sqrt
 from ...algebra.enclosures.floats import Array
 from ...charts.progress import telling
 from ...errors import ValuesError
-from ...mechanics.families.circular_orbit import in_orbit
+from ...mechanics.scenes.kind import Kind
 from ...notation import NOTATION
 from ...plotting import animate_top, draw_librations, draw_momentum_sphere, draw_nutation, save_animation
 from ...plotting.globe import curve_on, dots_on, towards
@@ -129,7 +129,7 @@ def _picture(moving: Motion, times: Array, path: Path, pointing: Sequence[int]) 
 
     states, _, drift = _computed(moving, times)
     with printed_look():
-        if in_orbit(moving.scene):
+        if moving.scene.kind is Kind.ORBIT:
             figure = Figure(figsize=(5, 3.4))
             draw_librations(moving, times, figure.subplots(), pointing=pointing)
             save_picture(figure, path)
@@ -137,7 +137,7 @@ def _picture(moving: Motion, times: Array, path: Path, pointing: Sequence[int]) 
         figure = Figure(figsize=(7, 3.4))
         left, right = np.asarray(figure.subfigures(1, 2))
         sphere = left.add_subplot(**SPACE)
-        if moving.scene.potential is None:
+        if moving.scene.kind is Kind.FREE:
             _polhode(sphere, moving, states)
         else:
             draw_nutation(moving, times, sphere)

@@ -16,9 +16,9 @@ from ...algebra.solving.stations import between, stations
 from ...algebra.text.numbers import exact_number, shown
 from ...arguments import checked
 from ...errors import ScopeError, ValuesError
-from ...mechanics.equilibrium.reduction import reducible
 from ...mechanics.families.named_families import E3, POLES
 from ...mechanics.scenes.coupled import in_one_direction
+from ...mechanics.scenes.kind import Kind
 from ...mechanics.scenes.system import System
 from ..finders.revolution import branches_at
 from .free_branches import RotationContinuation, followed_rotations
@@ -107,9 +107,9 @@ def continuation(scene: System, name: str, ends: tuple[Any, Any],
     if sign_of_constant(high - low) != 1:
         raise ValuesError(f"the range of {name} is {low} to {high}: give two numbers, the lower one "
                           "first")
-    if scene.potential is None:
+    if scene.kind is Kind.FREE:
         return followed_rotations(scene, name, low, high, values)
-    if not reducible(scene) and scene.potential.given:
+    if scene.kind is Kind.FIELD and not scene.unspecified:
         return followed_heavy(scene, name, low, high, values)
     critical = critical_of(scene, name, low, high, values)
     found = stations(critical.curve, critical.points,

@@ -11,8 +11,8 @@ from ...algebra.reals.exact import evaluate
 from ...arguments import checked
 from ...errors import ScopeError, ValuesError
 from ...mechanics.equilibrium.recognition import recognise
-from ...mechanics.equilibrium.reduction import reducible
 from ...mechanics.scenes.coupled import in_one_direction
+from ...mechanics.scenes.kind import Kind
 from ...mechanics.scenes.potential import DIRECTIONS
 from ...mechanics.scenes.system import System, at_numbers, names_of_scene
 from ...notation import Stored
@@ -124,7 +124,7 @@ class AmendedPotential(Shown, Stored):
         if C1 not in numbers:
             raise ValuesError(f"given were {', '.join(sorted(values)) or 'no numbers'}, and the amended "
                               "potential is another on each level of C1 = M·k: give C1")
-        if reducible(self.scene) or recognise(at_numbers(self.scene, numbers)):
+        if self.scene.kind is Kind.REVOLUTION or recognise(at_numbers(self.scene, numbers)):
             raise ScopeError("the scene is a body of revolution in a field along its axis, the critical "
                              "points are on circles: ask relative_equilibria with C1 and the momentum about "
                              "the axis, or reduce")

@@ -6,7 +6,7 @@ from sympy import Expr, S, zeros
 
 from ...algebra.reals.exact import evaluate
 from ...algebra.rings.matrices import cross
-from ...mechanics.scenes.near_pole import near_pole, refuse_rough
+from ...mechanics.equilibrium.near_pole import near_pole, refuse_rough
 from ...mechanics.scenes.system import System
 from ...stability.criteria.amended_form import dot
 from .heavy_polynomials import DIRECTION

@@ -9,7 +9,8 @@ from ...algebra.text.numbers import exact_number
 from ...algebra.text.quantities import not_mixed
 from ...errors import ScopeError, ValuesError, brief
 from ...mechanics.equilibrium.recognition import Recognition, recognise
-from ...mechanics.equilibrium.reduction import K3, reducible
+from ...mechanics.equilibrium.reduction import K3
+from ...mechanics.scenes.kind import Kind
 from ...mechanics.scenes.system import System, at_numbers, names_of_scene
 from ...notation import symbol
 from ...registry import free_letters, what_they_are
@@ -27,7 +28,7 @@ def names_of(scene: System, instead: str = OTHERS) -> set[str]:
 
     Any other scene is refused, with what there is instead.
     """
-    if scene.potential is not None and not scene.potential.given:
+    if scene.potential is not None and scene.unspecified:
         raise ScopeError(f"U = {scene.potential.expression} is unspecified, and all equilibria are found in "
                          "a field that is given: give one; conditions in any field are those of upright, "
                          "hanging and inclined")
@@ -40,7 +41,7 @@ def names_of(scene: System, instead: str = OTHERS) -> set[str]:
 
 def require_revolution(scene: System, instead: str) -> None:
     """Refuse a scene that is no body of revolution in U(k3)."""
-    if reducible(scene):
+    if scene.kind is Kind.REVOLUTION:
         return
     inertia = scene.body.inertia
     shown = "a full inertia tensor" if isinstance(inertia, ImmutableMatrix) else f"inertia = {brief(inertia)}"

@@ -11,10 +11,11 @@ from ...algebra.reals.exact import Point, evaluate, proved_sign, sign_of_constan
 from ...algebra.solving.roots import real_roots
 from ...errors import ValuesError
 from ...mechanics.equilibrium.claimed_point import equilibrium
-from ...mechanics.equilibrium.reduction import K3, OMEGA, P, V, reduce, reducible
+from ...mechanics.equilibrium.reduction import K3, OMEGA, P, V, reduce
 from ...mechanics.families.family import Family
 from ...mechanics.families.named_families import E3, E3_AT_REST, POLES
 from ...mechanics.scenes.body import symmetric_gyrostat
+from ...mechanics.scenes.kind import Kind
 from ...mechanics.scenes.potential import Potential
 from ...mechanics.scenes.system import System, assemble
 from ...notation import symbol
@@ -30,12 +31,7 @@ _MOMENTS = frozenset(map(symbol, ("I1", "I2", "I3")))
 
 def branches_at(scene: System, values: Mapping[str, Any]) -> list[Branch]:
     """Every relative equilibrium of a body of revolution in U(k3); as relative_equilibria says."""
-    if (
-        not reducible(scene)
-        and scene.potential
-        and scene.potential.given
-        and (turned := asked_about(scene, values))
-    ):
+    if scene.kind is Kind.FIELD and not scene.unspecified and (turned := asked_about(scene, values)):
         found, own = turned
         return [in_axes_of(found, branch) for branch in branches_at(found.standard, own)]
     asked, numbers = asked_for(scene, values)

@@ -5,5 +5,6 @@ point that a user claims, `unit_vectors` names directions. What is asked of it i
 `derivation_ring`; `coadjoint_orbit` has the tangent space of the orbit and in it the symplectic slice.
 `parallel_directions` treats two directions that coincide. `recognition` proves that a scene is a body of
 revolution, about whatever axis; `standard_axes` turns an equilibrium so that this axis is the third. Then
-`reduction` leaves one degree of freedom, k3, and `reduced_series` expands it near an equilibrium.
+`reduction` leaves one degree of freedom, k3, and `reduced_series` expands it near an equilibrium, `near_pole`
+in fractional powers at k3 = ±1.
 """

@@ -12,9 +12,9 @@ from ...errors import EquilibriumError, brief, require
 from ...notation import Stored, Use, jet
 from ...registry import INTERNAL, use_of, why_refused
 from ..scenes.coupled import CoupledPotential, Held
-from ..scenes.near_pole import NearPole, left_positive, near_pole, refuse_rough
 from ..scenes.potential import smooth_where_positive
 from ..scenes.system import System
+from .near_pole import NearPole, left_positive, near_pole, refuse_rough
 from .relations import residual_of
 
 Relation = tuple[Symbol, Expr]

@@ -16,10 +16,10 @@ from ...errors import PotentialError
 from ..scenes.body import Gyrostat
 from ..scenes.entered_potential import axial_potential
 from ..scenes.functions_on_sphere import along_third, lowest, vanishes
+from ..scenes.kind import Kind
 from ..scenes.lie_poisson import hat
 from ..scenes.potential import DIRECTIONS, Potential
 from ..scenes.system import System, system_of
-from .reduction import reducible
 
 Vector = tuple[Expr, ...]
 UNITS: tuple[Vector, ...] = ((S.One, S.Zero, S.Zero), (S.Zero, S.One, S.Zero), (S.Zero, S.Zero, S.One))
@@ -96,9 +96,9 @@ def recognise(scene: System, square_radius: Expr = S.One) -> Recognition | None:
     >>> found.sentence, found.standard.potential.expression, found.standard.body.moments
     ('recognised as a body of revolution about axis 1', k3**2 + k3 - 1, (1, 1, 3))
     """
-    if reducible(scene):
+    if scene.kind is Kind.REVOLUTION:
         return Recognition(scene, UNITS[2], scene)
-    if scene.potential is None or not scene.potential.given or scene.coupled:
+    if scene.potential is None or scene.kind is not Kind.FIELD or not scene.potential.given:
         return None
     for direction in _directions(scene.body, scene.potential):
         axis = _unit(direction)

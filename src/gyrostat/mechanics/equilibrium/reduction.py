@@ -12,6 +12,7 @@ from ...arguments import checked
 from ...errors import ScopeError, StructureError
 from ...notation import Stored, symbol
 from ..scenes.coupled import in_one_direction
+from ..scenes.kind import Kind
 from ..scenes.system import System
 
 K3, ENERGY, V, P = symbol("k3"), symbol("energy"), symbol("p_phi"), symbol("p_psi")
@@ -179,7 +180,7 @@ def reduce(scene: System) -> Reduction:
     -k3*p_psi + p_phi
     """
     in_one_direction(scene.potential, "reduce")
-    if not reducible(scene):
+    if scene.kind is not Kind.REVOLUTION:
         raise ScopeError("k3 moves by itself only for a body of revolution in U(k3); this scene has "
                          f"inertia {scene.body.moments}, l = "
                          f"{scene.body.gyrostatic_momentum}, U = "
@@ -198,8 +199,3 @@ def reduce(scene: System) -> Reduction:
         raise StructureError(f"I1 dk3/dt = {rate} is not a function of k3 and the integrals")
     spin = {pi3: P - scene.body.gyrostatic_momentum[2]}
     return Reduction(scene, axial.xreplace(spin), across - c2 + 1, V - aligned.xreplace(spin))
-
-
-def reducible(scene: System) -> bool:
-    """Whether the scene is a body of revolution in a field U(k3)."""
-    return scene.potential is not None and scene.potential.axial and scene.body.is_of_revolution()

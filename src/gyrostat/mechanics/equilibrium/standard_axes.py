@@ -12,11 +12,11 @@ from ...algebra.solving.margins import Signs
 from ...errors import EquilibriumError
 from ...notation import jet
 from ..scenes.functions_on_sphere import lowest, vanishes
+from ..scenes.kind import Kind
 from ..scenes.system import System, at_numbers, names_of_scene
 from .derived_once import once
 from .equilibrium import Equilibrium
 from .recognition import Recognition, Vector, recognise
-from .reduction import reducible
 
 
 @dataclass(frozen=True)
@@ -63,12 +63,12 @@ def _plain(scene: System) -> bool:
 
     Or U is constant and π is fixed, whatever the axis.
     """
-    return reducible(scene) or scene.coupled or len(scene.linear_integrals) == 3
+    return scene.kind is Kind.REVOLUTION or scene.coupled or len(scene.linear_integrals) == 3
 
 
 def seen_at(eq: Equilibrium, numbers: Point) -> Seen | None:
     """The same, of a family that is recognised only at the numbers given."""
-    if eq.system.potential is None or _plain(eq.system) or seen(eq):
+    if eq.system.kind is Kind.FREE or _plain(eq.system) or seen(eq):
         return None
     body = eq.system.body
     if not isinstance(body.inertia, ImmutableMatrix):

@@ -2,7 +2,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 from numbers import Integral
-from typing import Any
+from typing import Any, ClassVar
 
 from sympy import Add, Expr, ImmutableMatrix, Rational, Symbol, sqrt
 
@@ -14,6 +14,7 @@ from ...notation import symbol
 from ...registry import check_names
 from ..equilibrium.equilibrium import Equilibrium
 from ..scenes.coupled import CoupledPotential, coupled_potential, unit_and_orthogonal
+from ..scenes.kind import Kind
 from ..scenes.lie_poisson import hat
 from ..scenes.potential import DIRECTIONS
 from ..scenes.rotors import Rotor
@@ -28,6 +29,7 @@ class CircularOrbit(CoupledPotential):
     """The field of a satellite in a circular orbit; alone: U is that of the gravity gradient of I alone."""
 
     alone: bool = True
+    kind: ClassVar[Kind] = Kind.ORBIT
 
 
 @checked
@@ -136,13 +138,8 @@ def _rate(rate: Any, mu: Any, radius: Any) -> Expr:
     return found
 
 
-def in_orbit(scene: System) -> bool:
-    """Whether a scene is a satellite in a circular orbit."""
-    return isinstance(scene.potential, CircularOrbit)
-
-
 def by_gradient_alone(scene: System) -> bool:
-    """Whether it is one on which nothing but the gravity gradient acts, and no rotor is free."""
+    """Whether it is a satellite in orbit on which nothing but the gravity gradient acts, no rotor free."""
     return isinstance(scene.potential, CircularOrbit) and scene.potential.alone
 
 
@@ -182,7 +179,7 @@ def earth_pointing(scene: System, roll: int = 1, pitch: int = 2, yaw: int = 3) -
     >>> print(gs.analyze(pointing).sufficient)
     l + 4 ω₀ (I₂ − I₃) > 0 and I₁ > I₃ and l > ω₀ (I₁ − I₂)
     """
-    if not in_orbit(scene):
+    if scene.kind is not Kind.ORBIT:
         raise ScopeError("earth_pointing is of a satellite in orbit: assemble(body, circular_orbit())")
     axes = axes_of(roll, pitch, yaw)
     if by_gradient_alone(scene):

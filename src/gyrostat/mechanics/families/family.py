@@ -3,9 +3,13 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+from ..scenes.kind import Kind
+
 if TYPE_CHECKING:
     from ..equilibrium.equilibrium import Equilibrium
     from ..scenes.system import System
+
+IN_A_FIELD = (Kind.REVOLUTION, Kind.FIELD, Kind.COUPLED)   # a field with a coupling is refused by its maker
 
 
 @dataclass(frozen=True)
@@ -27,8 +31,8 @@ class Family:
         none
     pole : int
         1 where k points upwards, −1 downwards, 0 at a tilt, and of a free body
-    where : str
-        what its scenes are: "field", of one direction, "free", or "orbit"
+    kinds : tuple of Kind
+        of the scenes in which it may be asked for
     asked_for : str
         what the command line and published files call it; "" if it is only found
     source : str
@@ -40,7 +44,7 @@ class Family:
     make: Callable[..., "Equilibrium"]
     made_with: str = ""
     pole: int = 0
-    where: str = "field"
+    kinds: tuple[Kind, ...] = IN_A_FIELD
     asked_for: str = ""
     source: str = "Vera & Viguera 2003, §3"
 

@@ -10,6 +10,7 @@ from functools import partial
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
+from ..scenes.kind import Kind
 from .family import Family
 
 if TYPE_CHECKING:
@@ -36,17 +37,18 @@ E3 = Family("E3", "inclined", "precessing about the vertical, inclined",
 E3_AT_REST = Family("E3 at rest", "at rest at a tilt", "tilted, without rotation",
                     partial(_made, "tilted", "static_tilt"), "eliminate")
 PRINCIPAL = tuple(Family(f"rotation about axis {n}", "principal rotation", "",
-                         partial(_made, "principal_rotation", "principal_rotation", axis=n), where="free",
+                         partial(_made, "principal_rotation", "principal_rotation", axis=n),
+                         kinds=(Kind.FREE,),
                          asked_for=f"axis {n}", source="Hughes 1986, chapter 6") for n in (1, 2, 3))
 PERMANENT = Family("permanent rotation", "permanent-rotation",
                    "turning about the vertical, k fixed in the body",
                    partial(_made, "permanent_rotation", "permanent_rotation"), "direction",
                    asked_for="permanent-rotation", source="Staude 1894")
 EARTH_POINTING = Family("Earth-pointing", "earth-pointing", "at rest in the frame of the orbit", _pointing,
-                        "pointing", where="orbit", asked_for="earth-pointing",
+                        "pointing", kinds=(Kind.ORBIT,), asked_for="earth-pointing",
                         source="Hughes 1986, chapters 9 and 10")
 PRECESSIONS = tuple(Family(kind, kind, f"the axis {place}", partial(
-    _made, "orbital_precession", "orbital_precession", kind=kind), where="orbit", asked_for=kind,
+    _made, "orbital_precession", "orbital_precession", kind=kind), kinds=(Kind.ORBIT,), asked_for=kind,
     source="Likins 1965") for kind, place in (
         ("cylindrical", "along the normal of the orbit"),
         ("hyperbolic", "in the plane of the normal and the velocity"),
@@ -61,9 +63,9 @@ def known_families() -> list[Family]:
     return [family for family in FAMILIES.values() if family.asked_for]
 
 
-def known_where(where: str) -> list[Family]:
-    """The families that are asked for by their label, of a body in a "field", "free" or in "orbit"."""
-    return [family for family in known_families() if family.where == where]
+def known_of(kind: Kind) -> list[Family]:
+    """The families that are asked for by their label in scenes of a kind."""
+    return [family for family in known_families() if kind in family.kinds]
 
 
 def named(families: Collection[Family]) -> dict[str, Family]:

@@ -10,9 +10,10 @@ from ...errors import EquilibriumError, ScopeError
 from ...notation import symbol
 from ..equilibrium.equilibrium import Equilibrium
 from ..scenes.body import Gyrostat
+from ..scenes.kind import Kind
 from ..scenes.potential import DIRECTIONS, Potential
 from ..scenes.system import System, system_of
-from .circular_orbit import along_velocity, by_gradient_alone, in_orbit, orbital_rate, resting_at
+from .circular_orbit import along_velocity, by_gradient_alone, orbital_rate, resting_at
 
 HEIGHT = symbol("n3")
 KINDS = ("cylindrical", "hyperbolic", "conical")
@@ -61,7 +62,7 @@ def orbital_precession(scene: System, kind: str) -> Equilibrium:
     I₁ > I₃, modulo the flow of π₃
     """
     I1, _, I3 = scene.body.moments
-    if not in_orbit(scene) or not scene.body.is_of_revolution():
+    if scene.kind is not Kind.ORBIT or not scene.body.is_of_revolution():
         raise ScopeError("orbital_precession is of a body of revolution in orbit, moments I1, I1, "
                          "I3 and rotor 0, 0, l: assemble(symmetric_gyrostat(), circular_orbit())")
     if kind not in KINDS:

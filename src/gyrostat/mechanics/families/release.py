@@ -7,8 +7,9 @@ from sympy import Expr, ImmutableMatrix, cos, sin
 from ...algebra.text.numbers import exact_expression
 from ...arguments import checked, several
 from ...errors import ScopeError, ValuesError
+from ..scenes.kind import Kind
 from ..scenes.system import System
-from .circular_orbit import axes_of, in_orbit, resting_at
+from .circular_orbit import axes_of, resting_at
 
 
 @checked
@@ -50,7 +51,7 @@ def release(scene: System, angles: Sequence[Any], pointing: Sequence[int] = (1, 
     >>> gs.release(scene, ("90 deg", 0, 0))
     (0, 0, -35, 0, 0, -1, 0, 1, 0)
     """
-    if not in_orbit(scene):
+    if scene.kind is not Kind.ORBIT:
         raise ScopeError("release is of a satellite in orbit: assemble(body, circular_orbit())")
     if len(angles) != 3:
         raise ValuesError(f"{len(angles)} angles are given: give those of roll, pitch and yaw")

@@ -54,7 +54,7 @@ def steady_motion(scene: System, *directions: Sequence[Any], omega: Sequence[Any
     >>> import gyrostat as gs
     >>> field = gs.coupled_potential(-gs.symbol("k1") - 2 * gs.symbol("e2"))
     >>> two = gs.assemble(gs.Gyrostat((2, 2, 1), (0, 0, 1)), field)
-    >>> gs.linearize(gs.steady_motion(two, (1, 0, 0), (0, 1, 0))).factors()[0]
+    >>> gs.derivation.linearize(gs.steady_motion(two, (1, 0, 0), (0, 1, 0))).factors()[0]
     (lamda**2 + 3, 1)
     """
     potential = scene.potential

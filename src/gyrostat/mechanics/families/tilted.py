@@ -8,6 +8,7 @@ from ...notation import symbol
 from ..equilibrium.equilibrium import Equilibrium
 from ..equilibrium.relations import affine, solved_for
 from ..scenes.coupled import in_one_direction
+from ..scenes.kind import Kind
 from ..scenes.system import System
 from .named_families import E3, E3_AT_REST
 
@@ -89,7 +90,7 @@ def static_tilt(scene: System, eliminate: str | None = None) -> Equilibrium:
 def _tilted(label: str, scene: System, omega: Expr, eliminate: str | None) -> Equilibrium:
     in_one_direction(scene.potential, label)
     body, potential = scene.body, scene.potential
-    if potential is None or not potential.axial or not body.is_of_revolution():
+    if potential is None or scene.kind is not Kind.REVOLUTION:
         raise ScopeError(f"{label} is a family of bodies of revolution in U(k3); this scene has inertia "
                          f"{body.moments}, l = "
                          f"{body.gyrostatic_momentum}, U = {potential and potential.expression}: use "

@@ -2,7 +2,7 @@
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
-from typing import Any
+from typing import Any, ClassVar
 
 from sympy import Add, Expr, S, Symbol
 
@@ -11,6 +11,7 @@ from ...arguments import checked, several
 from ...errors import PotentialError, ScopeError
 from ...notation import Use, symbol
 from ...registry import check_names
+from .kind import Kind
 from .lie_poisson import lie_poisson
 from .potential import Potential, expression_of
 
@@ -48,6 +49,7 @@ class CoupledPotential(Potential):
 
     drift: tuple[Expr, Expr, Expr] = (S.Zero, S.Zero, S.Zero)
     held: Held = ()
+    kind: ClassVar[Kind] = Kind.COUPLED
 
     def _check_names(self) -> None:
         """Refuse names that are no parameters; an orbit has the rotor in it, which assemble inserts."""

@@ -1,10 +1,13 @@
 """The equations of motion in the coordinates and the jet of U, and their derivatives."""
+from collections.abc import Sequence
 from functools import lru_cache
 
 from sympy import Add, Expr, ImmutableMatrix, Mul, Symbol
 
 from ...algebra.rings.polynomials import Ring, derivatives
+from ...notation import jet
 from .lie_poisson import LiePoisson
+from .potential import Potential
 
 
 # the jet is the same of every U: what it leaves open is derived once for a body
@@ -26,6 +29,12 @@ def jet_jacobian(field: ImmutableMatrix, coordinates: tuple[Symbol, ...],
             row[3:6] = [entry + outer * slope for entry, slope in zip(row[3:6], inner)]
         rows.append(row[:len(coordinates)])
     return ImmutableMatrix(rows)
+
+
+def inserted(potential: Potential, rates: Sequence[Expr]) -> list[Expr]:
+    """Rates in the jet of U, with what its symbols stand for."""
+    values = {d: potential.value(d) for d in set().union(*(r.free_symbols for r in rates)) if jet(d.name)}
+    return [rate.xreplace(values) for rate in rates]
 
 
 def _collected(component: Expr, coordinates: tuple[Symbol, ...]) -> Expr:

@@ -2,7 +2,7 @@
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
-from typing import Any
+from typing import Any, ClassVar
 
 from sympy import Expr, Function, Pow, Rational, Symbol, acos, acosh, asin, atanh, log
 from sympy.core.function import AppliedUndef
@@ -16,6 +16,7 @@ from ...algebra.text.bounded_parts import BITS, enclosure, immoderate
 from ...arguments import checked
 from ...errors import PotentialError, ValuesError, brief
 from ...notation import Stored, jet, jet_name, symbol
+from .kind import Kind
 from .potential_hints import why_not, without_k
 
 DIRECTIONS = tuple(symbol(f"k{i}") for i in (1, 2, 3))
@@ -73,6 +74,7 @@ class Potential(Shown, Stored):
     variables: tuple[Symbol, ...]
     expression: Expr
     revolution: bool = False
+    kind: ClassVar[Kind] = Kind.FIELD                      # of the scene of any body in it
 
     def __post_init__(self) -> None:
         self._check_names()

@@ -9,12 +9,13 @@ from ..._display import Shown
 from ...algebra.reals.exact import evaluate, sign
 from ...arguments import checked
 from ...errors import BodyError
-from ...notation import Stored, jet
+from ...notation import Stored
 from .body import Gyrostat
 from .body_names import in_names_of, potential_of_body
 from .coupled import CoupledPotential
-from .equations import jet_field, jet_jacobian
+from .equations import inserted, jet_field, jet_jacobian
 from .integrals import check_independent, everywhere, in_coordinates, linear_integrals, texts_or_expressions
+from .kind import Kind
 from .lie_poisson import LiePoisson, lie_poisson
 from .potential import Potential
 
@@ -58,10 +59,24 @@ class System(Shown, Stored):
         if self.integrals:                                 # what is none is refused
             _ = self.level_only
 
+    @cached_property
+    def kind(self) -> Kind:
+        """What it is: a free body, a body of revolution in U(k3), …; found once."""
+        if self.potential is None:
+            return Kind.FREE
+        if self.potential.axial and self.body.is_of_revolution():
+            return Kind.REVOLUTION
+        return self.potential.kind
+
     @property
     def coupled(self) -> bool:
         """Whether it has two directions, or a term of the energy that is linear in π: a CoupledPotential."""
-        return self.potential is not None and self.potential.coupled
+        return self.kind in (Kind.ORBIT, Kind.COUPLED)
+
+    @property
+    def unspecified(self) -> bool:
+        """Whether U is an unspecified function, of which only derivatives at a point are known."""
+        return self.potential is not None and not self.potential.given
 
     @cached_property
     def level_only(self) -> tuple[Expr, ...]:
@@ -116,7 +131,7 @@ class System(Shown, Stored):
         """
         if self.potential is None:
             return self.jet_field
-        return ImmutableMatrix(_rates(self.potential, self.jet_field.flat()))
+        return ImmutableMatrix(inserted(self.potential, self.jet_field.flat()))
 
     @cached_property
     def energy_gradient(self) -> ImmutableMatrix:
@@ -212,7 +227,7 @@ def system_of(body: Gyrostat, potential: Potential | None, given: Sequence[Expr]
         hamiltonian += Add(*(b * p for b, p in zip(potential.drift, space.coordinates)))
     free = System(body, space, hamiltonian, (), potential)
     rates = free.jet_field.flat()[:3]
-    rates = _rates(potential, rates) if potential else rates
+    rates = inserted(potential, rates) if potential else rates
     return replace(free, integrals=(*linear_integrals(space.coordinates, tuple(rates)), *given))
 
 
@@ -228,9 +243,3 @@ def at_numbers(scene: System, known: Mapping[Symbol, Expr]) -> System:
 def names_of_scene(scene: System) -> set[Symbol]:
     """The symbols of the body and of U."""
     return scene.body.symbols.union(scene.potential.parameters if scene.potential else ())
-
-
-def _rates(potential: Potential, rates: Sequence[Expr]) -> list[Expr]:
-    """Rates in the jet of U, with what its symbols stand for."""
-    values = {d: potential.value(d) for d in set().union(*(r.free_symbols for r in rates)) if jet(d.name)}
-    return [rate.xreplace(values) for rate in rates]

@@ -5,8 +5,8 @@ from typing import Any
 from sympy import Add, ImmutableMatrix
 
 from ...mechanics.equilibrium.equilibrium import Equilibrium
-from ...mechanics.families.circular_orbit import in_orbit
 from ...mechanics.scenes.coupled import CoupledPotential
+from ...mechanics.scenes.kind import Kind
 from ...mechanics.scenes.system import System
 from ...stability.criteria.linearization import linearize
 from ...stability.criteria.orientation_form import orientation_form
@@ -20,7 +20,7 @@ def frame_names(system: System) -> Mapping[str, Any]:
     coordinates = system.space.coordinates
     drift, pi = ImmutableMatrix(potential.drift), ImmutableMatrix(coordinates[:3])
     omega = body.inverse * pi
-    if not in_orbit(system):
+    if system.kind is not Kind.ORBIT:
         omega += drift
     energy = Add(body.kinetic_energy(coordinates[:3]), drift.dot(pi), potential.expression)
     vectors = {f"vector_{name}": ImmutableMatrix(coordinates[n:n + 3])

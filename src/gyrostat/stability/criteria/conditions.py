@@ -112,8 +112,8 @@ def independent(criterion: Criterion, eq: Equilibrium) -> Criterion:
     >>> import gyrostat as gs
     >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())
     >>> eq = gs.upright(top)
-    >>> criterion = gs.spectral_criterion(gs.linearize(eq))
-    >>> len(criterion.alternatives[0]), len(gs.independent(criterion, eq).alternatives[0])
+    >>> criterion = gs.derivation.spectral_criterion(gs.derivation.linearize(eq))
+    >>> len(criterion.alternatives[0]), len(gs.derivation.independent(criterion, eq).alternatives[0])
     (3, 1)
     """
     first = _independent(criterion, eq, lambda e: e, signs_over(eq, _expressions(criterion)))

@@ -44,7 +44,7 @@ class SecondVariation(Shown, Stored):
     --------
     >>> import gyrostat as gs
     >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())
-    >>> variation = gs.second_variation(gs.inclined(top))
+    >>> variation = gs.derivation.second_variation(gs.inclined(top))
     >>> variation.minors[0], variation.modulo
     (1/I1, (pi3,))
     """
@@ -113,7 +113,7 @@ def multipliers(eq: Equilibrium, functions: Sequence[Expr]) -> tuple[Expr, ...]:
     --------
     >>> import gyrostat as gs
     >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())
-    >>> gs.multipliers(gs.upright(top), top.space.casimirs)
+    >>> gs.derivation.multipliers(gs.upright(top), top.space.casimirs)
     (-pi3_0/I3, (-I3*dU/2 + l*pi3_0/2 + pi3_0**2/2)/I3)
     """
     columns = differentials(eq, functions)
@@ -153,7 +153,7 @@ def augmented_hessian(eq: Equilibrium, functions: Sequence[Expr]) -> ImmutableMa
     --------
     >>> import gyrostat as gs
     >>> scene = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())
-    >>> gs.augmented_hessian(gs.upright(scene), scene.space.casimirs)[0, 3]
+    >>> gs.derivation.augmented_hessian(gs.upright(scene), scene.space.casimirs)[0, 3]
     -pi3_0/I3
     """
     return ImmutableMatrix(_augmented(eq, zip(functions, multipliers(eq, functions))))
@@ -195,7 +195,7 @@ def second_variation(eq: Equilibrium, integrals: bool = True) -> SecondVariation
     --------
     >>> import gyrostat as gs
     >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())
-    >>> variation = gs.second_variation(gs.inclined(top))
+    >>> variation = gs.derivation.second_variation(gs.inclined(top))
     >>> variation.matrix.shape, variation.modulo
     ((2, 2), (pi3,))
     """
@@ -228,7 +228,7 @@ def secular_variation(eq: Equilibrium) -> SecondVariation:
     --------
     >>> import gyrostat as gs
     >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())
-    >>> variation = gs.secular_variation(gs.inclined(top))
+    >>> variation = gs.derivation.secular_variation(gs.inclined(top))
     >>> variation.matrix.shape, variation.modulo
     ((3, 3), (pi3,))
     """

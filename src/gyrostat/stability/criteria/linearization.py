@@ -39,7 +39,8 @@ class Linearization(Shown, Stored):
     --------
     >>> import gyrostat as gs
     >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())
-    >>> gs.linearize(gs.inclined(top)).matrix.shape, gs.linearize(gs.inclined(top)).factors()[1]
+    >>> linear = gs.derivation.linearize(gs.inclined(top))
+    >>> linear.matrix.shape, linear.factors()[1]
     ((4, 4), (lamda, 2))
     """
 
@@ -110,7 +111,7 @@ class Linearization(Shown, Stored):
         >>> import gyrostat as gs
         >>> scene = gs.assemble(gs.Gyrostat(inertia=(1, 1, 1), gyrostatic_momentum=(0, 0, 0)),
         ...                     gs.axial_potential())
-        >>> gs.linearize(gs.hanging(scene)).eigenvalues()[0]
+        >>> gs.derivation.linearize(gs.hanging(scene)).eigenvalues()[0]
         I*(pi3_0/2 + sqrt(4*dU + pi3_0**2)/2)
         """
         if len(self.coefficients) == 3:
@@ -162,7 +163,8 @@ def linearize(eq: Equilibrium) -> Linearization:
     Examples
     --------
     >>> import gyrostat as gs
-    >>> gs.linearize(gs.inclined(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential()))).coefficients[1]
+    >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())
+    >>> gs.derivation.linearize(gs.inclined(top)).coefficients[1]
     0
     """
     basis = orbit_tangent(eq)

@@ -31,9 +31,8 @@ def exact_values(eq: Equilibrium, values: Mapping[str, Any], required: Sequence[
     """
     require(values, Mapping, "what is given for the names")
     given = {str(name): value for name, value in values.items()}
-    free_jet = eq.system.potential is not None and not eq.system.potential.given
     for name in given:
-        if name not in known and not (free_jet and jet(name)):
+        if name not in known and not (eq.system.unspecified and jet(name)):
             raise ValuesError(unknown(name, known, eq.label))
     if missing := [name for name in required if name not in given]:
         raise ValuesError(f"{eq.label} needs {', '.join(map(_described, missing))}: give a number for each")
@@ -79,13 +78,12 @@ def check_family(eq: Equilibrium, given: Iterable[str], required: Sequence[str],
     others express.
     """
     refuse_any_direction(eq)
-    free_jet = eq.system.potential is not None and not eq.system.potential.given
     known = [name for name in parameters if name not in eq.eliminated or name in required]
     for name in given:
         if name in eq.eliminated and name not in known:
             raise ValuesError(f"{name} follows from the other names on {eq.label}, {name} = "
                               f"{dict(eq.relations)[symbol(name)]}: omit it")
-        if name not in known and not (free_jet and jet(name)):
+        if name not in known and not (eq.system.unspecified and jet(name)):
             raise ValuesError(unknown(name, known, eq.label))
     if missing := [name for name in required if name not in given]:
         raise ValuesError(f"{eq.label} needs {', '.join(missing)}: {how}")

@@ -8,6 +8,7 @@ from ...algebra.solving.margins import Signs
 from ...arguments import checked
 from ...mechanics.equilibrium.derivation_ring import rows_at_point, signs_over
 from ...mechanics.equilibrium.equilibrium import Equilibrium
+from ...mechanics.scenes.kind import Kind
 from .amended_form import amended_form, dot
 from .conditions import Criterion, condition_of
 from .energy_casimir import SecondVariation, augmented_hessian, blocks
@@ -48,7 +49,8 @@ def spectral_criterion(linearization: Linearization) -> Criterion:
     --------
     >>> import gyrostat as gs
     >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())
-    >>> ((p, q, discriminant),) = gs.spectral_criterion(gs.linearize(gs.upright(top))).alternatives
+    >>> linear = gs.derivation.linearize(gs.upright(top))
+    >>> ((p, q, discriminant),) = gs.derivation.spectral_criterion(linear).alternatives
     >>> discriminant.margin, discriminant.degenerate
     (-4*I1*dU + l**2 + 2*l*pi3_0 + pi3_0**2, (2*I1*pi3_0 - I3*l - I3*pi3_0,))
     """
@@ -105,8 +107,8 @@ def formal_criterion(variation: SecondVariation) -> Criterion:
     --------
     >>> import gyrostat as gs
     >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())
-    >>> variation = gs.second_variation(gs.upright(top))
-    >>> gs.formal_criterion(variation).alternatives[0][0].margin
+    >>> variation = gs.derivation.second_variation(gs.upright(top))
+    >>> gs.derivation.formal_criterion(variation).alternatives[0][0].margin
     -4*I1*dU + l**2 + 2*l*pi3_0 + pi3_0**2
     """
     if invariants := _on_sphere(variation):
@@ -149,7 +151,8 @@ def secular_criterion(variation: SecondVariation) -> Criterion:
     --------
     >>> import gyrostat as gs
     >>> spin = gs.principal_rotation(gs.assemble(gs.Gyrostat(gyrostatic_momentum=(0, 0, 0))), 3)
-    >>> print(gs.independent(gs.secular_criterion(gs.secular_variation(spin)), spin))
+    >>> criterion = gs.derivation.secular_criterion(gs.derivation.secular_variation(spin))
+    >>> print(gs.derivation.independent(criterion, spin))
     I₃ > I₁ and I₃ > I₂
     """
     minors = across(variation) or of_stiffness(variation)
@@ -171,7 +174,7 @@ def across(variation: SecondVariation) -> list[Minor]:
     """
     eq = variation.equilibrium
     system, body, k = eq.system, eq.system.body, eq.point[3:]
-    if not system.potential or system.coupled or system.linear_integrals or sum(x != 0 for x in k) < 2:
+    if system.potential is None or system.coupled or system.linear_integrals or sum(x != 0 for x in k) < 2:
         return []
     if len(blocks(variation.matrix.tolist())) > 1:
         return []
@@ -210,7 +213,7 @@ def _on_sphere(variation: SecondVariation) -> tuple[Expr, ...]:
     """
     eq = variation.equilibrium
     M = [p + l for p, l in zip(eq.point, eq.system.body.gyrostatic_momentum)]
-    if eq.system.potential or variation.matrix.rows != 2 or sum(m != 0 for m in M) == 1:
+    if eq.system.kind is not Kind.FREE or variation.matrix.rows != 2 or sum(m != 0 for m in M) == 1:
         return ()
     A = augmented_hessian(eq, eq.system.space.casimirs)
     M = Matrix(M)

@@ -10,7 +10,7 @@ from ...mechanics.equilibrium.derivation_ring import rows_at_point
 from ...mechanics.equilibrium.derived_once import once
 from ...mechanics.equilibrium.equilibrium import Equilibrium
 from ...mechanics.equilibrium.standard_axes import placed
-from ...mechanics.families.circular_orbit import in_orbit
+from ...mechanics.scenes.kind import Kind
 from ..criteria.energy_casimir import restricted
 from ..criteria.linearization import linearize
 
@@ -90,4 +90,6 @@ def _counted(Q: Matrix, J: Matrix, rate: Matrix) -> Growing:
 def _rate(eq: Equilibrium) -> list[list[Expr]]:
     """δω by the coordinates: of ∂h/∂π, and in an orbit of I⁻¹π, for the directions turn with the frame."""
     rows = rows_at_point(eq, eq.system.energy_hessian)[:3]
-    return [[*row[:3], *([S.Zero] * (len(row) - 3))] for row in rows] if in_orbit(eq.system) else rows
+    if eq.system.kind is not Kind.ORBIT:
+        return rows
+    return [[*row[:3], *([S.Zero] * (len(row) - 3))] for row in rows]

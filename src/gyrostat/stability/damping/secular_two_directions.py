@@ -8,7 +8,8 @@ from ..._cached import cached_property
 from ...algebra.rings.matrices import characteristic
 from ...algebra.rings.polynomials import lowest_terms
 from ...mechanics.equilibrium.equilibrium import Equilibrium
-from ...mechanics.families.circular_orbit import in_orbit, orbital_rate
+from ...mechanics.families.circular_orbit import orbital_rate
+from ...mechanics.scenes.kind import Kind
 from ...mechanics.scenes.lie_poisson import hat
 from ..criteria.orientation_form import orientation_form, rests_in_frame
 from ..criteria.three_criteria import stiffness
@@ -45,9 +46,7 @@ class SecularInFrame(Secular):
         if not rests_in_frame(eq):
             # of a tilted body of revolution whether it does is not known
             return () if self.variation.modulo else _torques_across(eq)
-        if not in_orbit(eq.system):
-            return (S.One,)
-        return _torques_in_orbit(eq)
+        return _torques_in_orbit(eq) if eq.system.kind is Kind.ORBIT else (S.One,)
 
     @property
     def _rest(self) -> Expr:

@@ -17,7 +17,7 @@ from ...algebra.solving.margins import Signs
 from ...mechanics.equilibrium.derived_once import once
 from ...mechanics.equilibrium.equilibrium import Equilibrium
 from ...mechanics.equilibrium.reduced_series import powers_of_distance
-from ...mechanics.equilibrium.reduction import reducible
+from ...mechanics.scenes.kind import Kind
 from ...notation import Stored, jet, symbol
 from ..criteria.conditions import Condition
 from ..criteria.truth import sign_at
@@ -199,7 +199,7 @@ class Boundary(Shown, Stored):
 @once
 def boundary_of(eq: Equilibrium) -> Boundary | None:
     """The ladder of an equilibrium with a definite tilt, None where k3 does not move by itself."""
-    if not reducible(eq.system):
+    if eq.system.kind is not Kind.REVOLUTION:
         return None
     tilt = S.One - eq.at**2
     if not tilt.free_symbols:

@@ -8,6 +8,7 @@ from ..._cached import cached_property
 from ...algebra.reals.exact import sign
 from ...algebra.solving.margins import Signs
 from ...mechanics.equilibrium.equilibrium import Equilibrium
+from ...mechanics.scenes.kind import Kind
 from ...notation import symbol
 from ..criteria.linearization import Linearization
 from ..criteria.numbers_asked import names_in, names_of_motion
@@ -65,7 +66,7 @@ class Elementary:
                              f"{', '.join(dict.fromkeys(missing))} to decide")
         if eq.system.coupled:
             return decide_in_frame(eq, numbers, degenerate, self.point_decided)
-        if eq.system.potential is None:
+        if eq.system.kind is Kind.FREE:
             return extremum_at(eq, numbers).decision
         by_integrals = decide_by_integrals(eq, numbers)
         if by_integrals.stable:

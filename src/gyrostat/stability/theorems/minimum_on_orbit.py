@@ -5,7 +5,7 @@ from sympy import Add, Expr, Rational, S, Symbol, factorial
 
 from ...algebra.reals.exact import evaluate, sign_of_constant
 from ...mechanics.equilibrium.equilibrium import Equilibrium
-from ...mechanics.equilibrium.reduction import reducible
+from ...mechanics.scenes.kind import Kind
 from ...notation import jet_name, symbol
 from .amended_expansion import Amended
 from .momentum_sphere import extremum_at
@@ -20,9 +20,9 @@ def least_at(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> Least:
 
     And why.
     """
-    if eq.system.potential is None:
+    if eq.system.kind is Kind.FREE:
         return _on_sphere(eq, numbers)
-    if reducible(eq.system):
+    if eq.system.kind is Kind.REVOLUTION:
         return _along_axis(eq, numbers)
     values, which = Amended(eq, numbers).leading()
     if values is None:

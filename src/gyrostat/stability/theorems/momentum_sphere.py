@@ -12,6 +12,7 @@ from ..._cached import cached_property
 from ...algebra.reals.exact import evaluate, sign_of_constant
 from ...mechanics.equilibrium.equilibrium import Equilibrium
 from ...mechanics.scenes.body import Gyrostat
+from ...mechanics.scenes.kind import Kind
 from ..decision import Decision, Rung, settled, undecided
 
 DRIFTS = "the rotation lies on a circle of rotations, and those beside the circle drift along it"
@@ -153,7 +154,7 @@ class MomentumSphere:
 def sphere_of(eq: Equilibrium) -> MomentumSphere | None:
     """The sphere of a free body that rotates about a principal axis with l along it, None for anything else.
     """
-    if eq.system.potential is not None or isinstance(eq.system.body.inertia, ImmutableMatrix):
+    if eq.system.kind is not Kind.FREE or isinstance(eq.system.body.inertia, ImmutableMatrix):
         return None
     axes = [n for n, (pi, l) in enumerate(zip(eq.point, eq.system.body.gyrostatic_momentum)) if pi != 0
             or l != 0]

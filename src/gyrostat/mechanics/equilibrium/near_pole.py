@@ -26,7 +26,7 @@ from ...algebra.reals.exact import is_identically_zero, sign, sign_of_constant
 from ...algebra.rings.polynomials import Ring, lowest_terms
 from ...algebra.text.numbers import shown
 from ...errors import EquilibriumError
-from .potential import DIRECTIONS, Potential, smooth_where_positive
+from ..scenes.potential import DIRECTIONS, Potential, smooth_where_positive
 
 K3, T = DIRECTIONS[2], Dummy("t", positive=True)
 MOST = 60                                              # the largest q
