@@ -5,8 +5,8 @@
 Each confirmed formula is changed in one place: a sign, an index, an exponent, a prime, a coefficient, a
 relation, a verdict. Every mutant has to be reported as a misprint, with a counterexample, or a point at which
 it is not sharp; those that are true as well are listed, with the reason. The numbers shown are read again,
-from the JSON output, by tests/oracles/shown.py, which uses nothing of gyrostat: the evidence is false if they
-do not show what they are shown for. --count takes a seeded sample.
+from the JSON output, by tests/published/read_again.py: the evidence is false if they do not show what they
+are shown for. --count takes a seeded sample.
 """
 import argparse
 import platform
@@ -20,13 +20,12 @@ from dataclasses import replace
 from importlib.metadata import version
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "tests" / "oracles"))
-import shown  # noqa: E402
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "tests"))
+from published.read_again import is_shown  # noqa: E402
 
 from gyrostat.errors import GyrostatError
 from gyrostat.published import SOURCES, Finding, load
 from gyrostat.published.checks.findings import outcome_of
-from gyrostat.published.listing import to_json
 
 # Mutants that are as true as the original: a pattern of source:key: mutant, and why.
 EQUIVALENT = (
@@ -164,17 +163,12 @@ def reason(result, reasons):
 
 def evidence(mutant, outcome):
     """What is shown: true, false, unread (of a kind that nothing here reads again) or none; and numbers."""
-    (data,) = to_json([Finding(mutant, "misprint", "confirmed", outcome)])
-    example = data["counterexample"] or data["not_sharp"]
+    finding = Finding(mutant, "misprint", "confirmed", outcome)
+    example = outcome.counterexample or outcome.not_sharp
     if not example:
         return "none", ""
-    entries = data["difference"] or [{"entry": None}]
-    statement = {"entry": entries[0]["entry"], "let": dict(mutant.let), "at": dict(mutant.at),
-                 "given": mutant.given,
-                 **{key: data[key] for key in ("quantity", "printed", "kind")}}
     try:
-        answer = shown.is_true(statement, dict(mutant.scene.table), example,
-                               weaker=not data["counterexample"])
+        answer = is_shown(finding)
     except (ArithmeticError, AssertionError, IndexError, LookupError, TypeError, ValueError) as error:
         return "unread", f"{type(error).__name__}: {error}"
     return {True: "true", False: "false", None: "unread"}[answer], "" if answer else str(example)

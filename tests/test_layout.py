@@ -1,13 +1,11 @@
 """The house: packages that import downwards only, and what importing the library loads."""
 import ast
 import importlib
-import re
 import subprocess
 import sys
 from collections import defaultdict
 from functools import cache
 from graphlib import TopologicalSorter
-from itertools import combinations
 from pathlib import Path
 
 import pytest
@@ -18,7 +16,6 @@ SRC = Path(gyrostat.__file__).parent
 FLOORS = ("version _lazy _cached _display errors notation typesetting registry arguments algebra mechanics "
           "stability derivation equilibria parameters printing charts trajectories plotting published cli "
           "__main__").split()
-FOLDERS = [path.parent for path in SRC.rglob("__init__.py")]
 OPTIONAL = {"matplotlib", "xarray", "dask", "distributed", "zarr", "numba", "llvmlite", "scipy", "heyoka",
             "contourpy", "plotly"}
 
@@ -74,11 +71,6 @@ def test_imports_point_downwards_and_in_no_circle():
     list(TopologicalSorter(graph).static_order())
 
 
-def modules(folder):
-    """The names of the modules of a folder."""
-    return {path.stem for path in folder.glob("*.py")} - {"__init__", "__main__"}
-
-
 def test_folders_of_a_package_import_downwards():
     """No two folders of a package import each other, directly or by way of others."""
     graph = defaultdict(set)
@@ -88,41 +80,6 @@ def test_folders_of_a_package_import_downwards():
                             if here[1:] and there[0] == here[0] and there[1:2] not in ((), here[1:2])
                             and SRC.joinpath(*there[:2]).is_dir()}
     list(TopologicalSorter(graph).static_order())
-
-
-def test_folders_are_seen_at_a_glance():
-    """At most 16 modules each; each picture has a file of its own."""
-    for folder in FOLDERS:
-        assert len(modules(folder)) <= 16 or folder.name == "plotting", folder
-
-
-def differ_by_a_letter(one, other):
-    """Whether one name becomes the other by at most one letter that is changed, added or left out."""
-    short, long = sorted((one, other), key=len)
-    changed = sum(a != b for a, b in zip(short, long))
-    return len(short) == len(long) and changed <= 1 or any(
-        long[:n] + long[n + 1:] == short for n in range(len(long)))
-
-
-def test_no_two_modules_are_taken_for_each_other():
-    """Within a package more than a letter tells two names apart; no name stands in three packages."""
-    packages = defaultdict(list)
-    for folder in FOLDERS:
-        packages[folder.relative_to(SRC).parts[:1]] += sorted(modules(folder))
-    for package, names in packages.items():
-        assert not [pair for pair in combinations(names, 2) if differ_by_a_letter(*pair)], package
-    everywhere = [name for names in packages.values() for name in names]
-    assert not {name for name in everywhere if everywhere.count(name) > 2}
-
-
-@pytest.mark.parametrize("folder", [folder for folder in FOLDERS if folder != SRC],
-                         ids=lambda folder: str(folder.relative_to(SRC)))
-def test_a_package_tells_what_its_modules_do(folder):
-    """Its docstring has at most 12 lines, names every module and folder in it, and no other."""
-    told = ast.get_docstring(parsed(folder / "__init__.py"))
-    inside = modules(folder) | {path.name for path in FOLDERS if path.parent == folder}
-    assert len(told.splitlines()) <= 12
-    assert {name for name in re.findall("`(.*?)`", told) if name.isidentifier()} == inside
 
 
 @pytest.mark.slow

@@ -8,7 +8,7 @@ import bench_verify
 import numpy as np
 import oracle
 import pytest
-import shown
+from published.read_again import is_shown
 from published.written_sources import BY_KEY, LONG, written
 from sympy import Expr
 
@@ -16,7 +16,6 @@ import gyrostat
 from gyrostat.published import SOURCES, check, load
 from gyrostat.published.checks.findings import _finding, outcome_of
 from gyrostat.published.errata import latex
-from gyrostat.published.listing import to_json
 
 HERE, PAGES = Path(gyrostat.__file__).parent / "published", Path(__file__).parents[3]
 
@@ -54,15 +53,10 @@ def shows_what_is_right(finding):
 
 
 def read_again(finding):
-    """Whether its counterexample is one by its JSON alone, at which what is corrected does not fail."""
-    (data,) = to_json([finding])
-    s, entry = finding.statement, (data["difference"] or [{"entry": None}])[0]["entry"]
-    given = {"entry": entry, "let": dict(s.let), "at": dict(s.at), "given": s.given,
-             **{key: data[key] for key in ("quantity", "printed", "kind")}}
-    table, example = dict(s.scene.table), data["counterexample"]
-    assert (s.corrected is None or s.kind == "solution"
-            or not shown.is_true({**given, "printed": s.corrected}, table, example)), s.key
-    return shown.is_true(given, table, example)
+    """Whether its counterexample is one by its JSON, at which what is corrected does not fail."""
+    s = finding.statement
+    assert s.corrected is None or s.kind == "solution" or not is_shown(finding, s.corrected), s.key
+    return is_shown(finding)
 
 
 @pytest.mark.slow
@@ -77,7 +71,7 @@ def test_every_misprint_has_a_counterexample(found):
 
 @pytest.mark.slow
 def test_every_counterexample_is_read_again(found):
-    """Both sides, or what is true of the point, from the JSON output alone.
+    """Both sides, or what is true of the point, from the JSON output.
 
     What is corrected does not fail there.
     """

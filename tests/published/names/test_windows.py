@@ -2,8 +2,8 @@
 import random
 
 import pytest
-import shown
 from exceptional_rotations import in_resonance, terms, with_form
+from published.read_again import is_shown
 from published.written_sources import CLAIM, written
 from slow import sampled
 from sympy import Float
@@ -13,7 +13,6 @@ import gyrostat as gs
 from gyrostat.published import check
 from gyrostat.published.independent.arnold import Oscillations, stability
 from gyrostat.published.independent.counterexample import Model
-from gyrostat.published.listing import to_json
 from gyrostat.published.scenes import Scene
 
 UPRIGHT = """gyrostatic_momentum = ["0", "0", "l"]
@@ -37,24 +36,15 @@ def finding(tmp_path, scene, quantity, printed, kind="identity", extra=""):
     return found
 
 
-def read_again(found):
-    """What the evidence shows, from its JSON alone."""
-    (data,) = to_json([found])
-    s = found.statement
-    statement = {"entry": None, "let": dict(s.let), "at": dict(s.at), "given": s.given,
-                 **{key: data[key] for key in ("quantity", "printed", "kind")}}
-    return shown.is_true(statement, dict(s.scene.table), data["counterexample"])
-
-
 @pytest.mark.slow
 @pytest.mark.parametrize("claim", ["necessary for stability", "necessary and sufficient for stability"])
 def test_energy_casimir_is_not_necessary(tmp_path, claim):
-    """A point in the window where the condition fails, stable by Arnold's theorem; read again over Q."""
+    """A point in the window where the condition fails, stable by Arnold's theorem; read again."""
     found = finding(tmp_path, UPRIGHT, claim, A1, "condition")
     example = found.outcome.counterexample
     assert found.status == "misprint" and (example.printed, example.derived) == ("fails", "stable")
     assert "D4 = " in example.confirmation and "Arnold-Moser" in example.confirmation
-    assert read_again(found) is True
+    assert is_shown(found) is True
     values = dict(example.values)
     report = gs.analyze(found.statement.scene.equilibrium)
     assert report.verdict(values).notion == "Lyapunov (Arnold-Moser)"
@@ -67,7 +57,7 @@ def test_a_maximum_is_not_unstable(tmp_path):
     found = finding(tmp_path, UPRIGHT, "sufficient for instability", printed, "condition")
     example = found.outcome.counterexample
     assert (example.printed, example.derived) == ("holds", "stable")
-    assert read_again(found) is True
+    assert is_shown(found) is True
 
 
 def test_a_condition_is_necessary_without_windows(tmp_path):
