@@ -82,8 +82,6 @@ def results():
         "Interval": first.cases[0].intervals[0], "LiePoisson": k.top.space,
         "Linearization": gs.derivation.linearize(k.upright), "NormalForm": gs.analyze(spin).normal_form({}),
         "Potential": k.top.potential, "RelativeEquilibrium": gs.relative_equilibria(k.top, numbers)[0],
->>>>>>> one
->>>>>>> onetests
         "Report": k.report, "RotationContinuation": gs.continuation(k.spun, "l", (0, 1), {"M": 1}),
         "Rotor": k.wheel, "SecondVariation": gs.derivation.second_variation(k.upright), "Solution": solution,
         "SolvedCondition": first, "System": k.top,
