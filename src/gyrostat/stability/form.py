@@ -101,8 +101,12 @@ class Form(Stored):
 
     @property
     def place(self) -> dict[str, Expr | None]:
-        """What tells it from others of its scene, by name."""
-        raise NotImplementedError
+        """What tells it from others of its scene, by name: what describes it, vectors by components."""
+        found: dict[str, Expr | None] = {}
+        for name, value in self.described:
+            found |= ({f"{name}{n}": x for n, x in enumerate(value, 1)} if isinstance(name, str)
+                      else {str(name): value})
+        return found
 
     @property
     def point(self) -> tuple[Expr, ...]:

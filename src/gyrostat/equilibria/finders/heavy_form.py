@@ -61,11 +61,6 @@ class HeavyForm(Form):
         """k and omega."""
         return ("k", self.k), (symbol("omega"), self.omega)
 
-    @property
-    def place(self) -> dict[str, Expr | None]:
-        """k and omega."""
-        return {"k1": self.k[0], "k2": self.k[1], "k3": self.k[2], "omega": self.omega}
-
     @cached_property
     def point(self) -> tuple[Expr, ...]:
         """π = omega Ik and k."""

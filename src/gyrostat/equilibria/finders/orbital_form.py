@@ -70,12 +70,6 @@ class OrbitalForm(Form):
         n, r = self.directions
         return ("n", n), ("r", r)
 
-    @property
-    def place(self) -> dict[str, Expr | None]:
-        """n and r."""
-        n, r = self.directions
-        return dict(zip(("n1", "n2", "n3", "r1", "r2", "r3"), (*n, *r)))
-
     @cached_property
     def point(self) -> tuple[Expr, ...]:
         """π = ω0 In, n and r."""
