@@ -1,4 +1,4 @@
-"""The one verb for every kind of scene: each kind has a finder, each finder a form that answers everything."""
+"""The one verb for every kind of scene: each kind has a finder, each form says all that is asked."""
 import pytest
 from scene_kinds import CASES
 
