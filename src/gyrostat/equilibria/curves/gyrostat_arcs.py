@@ -44,7 +44,7 @@ class GyrostatArc(Shown, Stored):
     >>> arcs = gs.staude_cone(gs.assemble(gs.Gyrostat((1, 2, 3), (0, "1/2", 1)), U)).arcs({})
     >>> [(str(arc.low.evalf(6)), arc.high, arc.pieces[0].decision.verdict.name) for arc in arcs][4:6]
     [('0.946191', oo, 'STABLE'), ('-oo', oo, 'STABLE')]
-    >>> arcs[5].rotation(0).k
+    >>> arcs[5].rotation(0).directions[0]
     (-sqrt(3)/3, -sqrt(3)/3, -sqrt(3)/3)
     """
 

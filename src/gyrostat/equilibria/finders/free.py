@@ -50,7 +50,7 @@ def rotations_on_sphere(scene: System, radius: Expr) -> list[FreeForm]:
     >>> import gyrostat as gs
     >>> for form in rotations_on_sphere(gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 0))), S.One)[::2]:
     ...     print(form.M, form.signs, form.frequencies)
-    (0, 0, -1) (1, 1) (sqrt(2)/6,)
+    (0, 0, -1) (1, 1) (1/3,)
     (0, -1, 0) (1, -1) ()
     (-1, 0, 0) (-1, 1) (sqrt(3)/3,)
     """
