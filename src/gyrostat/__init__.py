@@ -60,9 +60,10 @@ if TYPE_CHECKING:
     from .printing.formats.article import to_latex
     from .stability.criteria.conditions import Condition, Criterion
     from .stability.damping.energy_sink import energy_sink_criterion
-    from .stability.decision import Decision, Notion, Rung, Verdict
+    from .stability.decision import Decision, Rung, Verdict
     from .stability.normal_forms.d4_along_family import Window
     from .stability.normal_forms.normal_form import NormalForm
+    from .stability.notion import Notion
     from .stability.report.analysis import analyze
     from .stability.report.report import Report
 
@@ -113,7 +114,7 @@ __getattr__, __dir__ = _later(__name__, {
     "mechanics.families.tilted": "inclined static_tilt",
     "mechanics.families.vertical": "hanging upright",
     "stability.criteria.conditions": "Condition Criterion",
-    "stability.decision": "Decision Notion Rung Verdict",
+    "stability.decision": "Decision Rung Verdict", "stability.notion": "Notion",
     "stability.normal_forms.d4_along_family": "Window",
     "stability.normal_forms.normal_form": "NormalForm",
     "stability.damping.energy_sink": "energy_sink_criterion",

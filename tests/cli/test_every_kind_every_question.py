@@ -87,7 +87,7 @@ def test_latex_says_the_same(case):
     decision = case.report.verdict(case.values)
     latex = gs.to_latex(decision)
     assert latex.startswith(rf"\text{{{decision.verdict.name.lower()}")
-    assert decision.notion in latex
+    assert str(decision.notion) in latex
     for words, parts in (("modulo the flow of", decision.modulo), ("on its level of", decision.level),
                          ("as a set", decision.locus)):
         assert (words in latex) == bool(parts and decision.notion)

@@ -16,7 +16,8 @@ from ..errors import optional
 from ..mechanics.equilibrium.reduction import K3, V
 from ..mechanics.scenes.system import System
 from ..printing.letters import letters_of
-from ..stability.decision import Notion, Verdict
+from ..stability.decision import Verdict
+from ..stability.notion import Notion
 from .headings import heading, of_scene
 from .looks import DARK, axes_of, axis, legend, line, marker, named
 from .scene_numbers import numbers_of

@@ -1,14 +1,15 @@
 """A verdict, what decided it, and the decision that holds both together with the reason."""
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
-from enum import Enum, StrEnum
+from enum import Enum
 from typing import Any, NoReturn
 
 from sympy import Expr
 
 from .._display import Shown
-from ..errors import ArgumentError
+from ..errors import ArgumentError, require
 from ..notation import Stored, symbol
+from .notion import Notion
 
 C1 = symbol("C1")                                          # M·k, where a proof holds on its level alone
 
@@ -43,9 +44,15 @@ class Verdict(Enum):
         Returns
         -------
         Verdict
+
+        Raises
+        ------
+        ArgumentError
+            it is neither true, false nor None
         """
         if stable is None:
             return cls.UNDECIDED
+        require(stable, bool, "stable")
         return cls.STABLE if stable else cls.UNSTABLE
 
     def __eq__(self, other: object) -> bool:
@@ -98,27 +105,6 @@ class Rung(Enum):
     def by_condition(self) -> bool:
         """Whether a sufficient condition that is printed holds there, or a necessary one fails."""
         return self in (Rung.SECOND_VARIATION, Rung.SPECTRUM, Rung.INTEGRAL, Rung.NEGATIVE_SQUARES)
-
-
-class Notion(StrEnum):
-    """Of what stability something is proved, or violated; NOTHING of what is undecided.
-
-    Examples
-    --------
-    >>> import gyrostat as gs
-    >>> report = gs.analyze(gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())))
-    >>> report.verdict({"I1": 1, "l": 0, "m0": 1, "pi3_0": 1}).notion is gs.Notion.SPECTRAL
-    True
-    """
-
-    NOTHING = ""
-    LYAPUNOV = "Lyapunov"
-    ARNOLD_MOSER = "Lyapunov (Arnold-Moser)"               # by a normal form, with two degrees of freedom
-    SPECTRAL = "spectral"                                  # no eigenvalue has a positive real part
-    FORMAL = "formal"                                      # the second variation is definite
-    SECULAR = "secular"                                    # under internal damping
-    ENERGY_SINK = "energy sink"                            # to first order in weak dampers
-    PRINTED = "printed"                                    # as a paper has it
 
 
 class Judged:

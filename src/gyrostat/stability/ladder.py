@@ -13,7 +13,8 @@ from ..mechanics.equilibrium.standard_axes import placed, seen_at
 from ..mechanics.scenes.kind import Kind
 from ..notation import symbol
 from .criteria.truth import holds
-from .decision import Decision, Notion, Rung, settled, undecided
+from .decision import Decision, Rung, settled, undecided
+from .notion import Notion
 from .report.derived_parts import Derived
 from .standing import THEOREMS, Standing
 

@@ -11,8 +11,9 @@ from ...mechanics.scenes.system import System
 from ...notation import symbol
 from ...stability.criteria.amended_form import dot, trace
 from ...stability.damping.secular import KEEPS, lost
-from ...stability.decision import Decision, Notion, Rung, settled
+from ...stability.decision import Decision, Rung, settled
 from ...stability.form import Form, Invariants
+from ...stability.notion import Notion
 from ...stability.theorems.momentum_sphere import DRIFTS, circle_in_words, extremum
 
 ANYWHERE = settled(True, "M stays where it is: all moments are equal, and there is no rotor",

@@ -11,10 +11,11 @@ from ...algebra.reals.exact import evaluate, proved_sign
 from ...mechanics.scenes.system import System
 from ...notation import symbol
 from ...stability.criteria.amended_form import amended_form
-from ...stability.decision import Decision, Notion, Rung, settled, undecided
+from ...stability.decision import Decision, Rung, settled, undecided
 from ...stability.form import PRECISION, Form, Invariants
 from ...stability.normal_forms.local_motion import LocalMotion
 from ...stability.normal_forms.windows import decide_window
+from ...stability.notion import Notion
 from ...stability.theorems.momentum_sphere import circle_in_words
 from .heavy_data import Data, data_at, unreached
 

@@ -14,8 +14,9 @@ from ...algebra.solving.real_fields import FieldNumbers
 from ...mechanics.families.circular_orbit import orbital_rate, resting_at
 from ...mechanics.scenes.system import System
 from ...notation import symbol
-from ...stability.decision import Decision, Notion, Rung, settled, undecided
+from ...stability.decision import Decision, Rung, settled, undecided
 from ...stability.form import PRECISION, Form, Invariants
+from ...stability.notion import Notion
 from ...stability.report.report import Report
 from ...stability.theorems.two_directions import HELD, on_curve
 from .orbital_invariants import invariants, unreached

@@ -90,7 +90,7 @@ def drift_data(drift: Drift) -> dict[str, Any]:
 
 def criterion_data(criterion: Criterion) -> dict[str, Any]:
     """Any of the alternatives, all of the conditions of one."""
-    return {"notion": criterion.notion, "modulo": strings(criterion.modulo),
+    return {"notion": str(criterion.notion), "modulo": strings(criterion.modulo),
             "any_of": [{"all_of": [condition_data(c) for c in alternative]}
                        for alternative in criterion.alternatives]}
 
@@ -103,8 +103,9 @@ def condition_data(c: Condition) -> dict[str, Any]:
 
 def decision_data(decision: Decision) -> dict[str, Any]:
     """A verdict with its reason."""
-    return {"verdict": decision.verdict.name, "notion": decision.notion, "modulo": strings(decision.modulo),
-            "level": strings(decision.level), "locus": decision.locus, "rung": decision.rung.value,
+    return {"verdict": decision.verdict.name, "notion": str(decision.notion),
+            "modulo": strings(decision.modulo), "level": strings(decision.level),
+            "locus": decision.locus, "rung": decision.rung.value,
             "proved": decision.proved, "reason": decision.reason,
             "margins": {_text(margin): str(value) for margin, value in decision.margins},
             "certificate": {str(F): str(a) for F, a in decision.certificate},

@@ -10,7 +10,7 @@ from ...algebra.rings.readable import readable
 from ...registry import Letters
 from ...stability.criteria.conditions import Condition, Criterion
 from ...stability.criteria.linearization import square_root
-from ...stability.decision import Notion
+from ...stability.notion import Notion
 from ...stability.report.report import Report
 from ..blocks import Block, Display, Word, modulo_flow, sentence
 from ..letters import letters_in, word

@@ -4,7 +4,7 @@ from itertools import islice
 from ...errors import PublishedError, brief
 from ...notation import symbol
 from ...stability.criteria.conditions import Criterion
-from ...stability.decision import Notion
+from ...stability.notion import Notion
 from ..statements import Doubt, Outcome
 from .comparisons import comparisons
 from .criteria import DAMPED, K3, Claim, agree, criterion, free_symbols

@@ -16,7 +16,7 @@ from ...notation import symbol
 from ...stability.criteria.conditions import Condition, Criterion
 from ...stability.criteria.implication import Item, reduced
 from ...stability.criteria.truth import Relation, truth
-from ...stability.decision import Notion
+from ...stability.notion import Notion
 from ...stability.report.analysis import analyze
 from ...stability.report.report import Report
 from ..scenes import Scene

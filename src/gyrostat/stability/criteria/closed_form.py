@@ -16,7 +16,7 @@ from ...mechanics.equilibrium.equilibrium import Equilibrium, Relation
 from ...mechanics.scenes.system import System, names_of_scene
 from ...notation import symbol
 from ...registry import Letters
-from ..decision import Notion
+from ..notion import Notion
 from .amended_form import (
     AmendedForm,
     dot,

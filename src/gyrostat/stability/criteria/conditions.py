@@ -15,7 +15,7 @@ from ...arguments import checked
 from ...mechanics.equilibrium.derivation_ring import signs_over
 from ...mechanics.equilibrium.equilibrium import Equilibrium
 from ...notation import Stored, jet
-from ..decision import Notion
+from ..notion import Notion
 from .implication import Implied, Item, merge, reduced
 
 

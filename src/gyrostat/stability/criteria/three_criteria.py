@@ -9,7 +9,7 @@ from ...arguments import checked
 from ...mechanics.equilibrium.derivation_ring import rows_at_point, signs_over
 from ...mechanics.equilibrium.equilibrium import Equilibrium
 from ...mechanics.scenes.kind import Kind
-from ..decision import Notion
+from ..notion import Notion
 from .amended_form import amended_form, dot
 from .conditions import Criterion, condition_of
 from .energy_casimir import SecondVariation, augmented_hessian, blocks

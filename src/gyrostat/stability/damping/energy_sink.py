@@ -12,7 +12,7 @@ from ...mechanics.equilibrium.equilibrium import Equilibrium
 from ...mechanics.scenes.rotors import Rotor
 from ..criteria.conditions import Criterion, condition_of
 from ..criteria.implication import Item, reduced
-from ..decision import Notion
+from ..notion import Notion
 from ..theorems.momentum_sphere import sphere_of
 
 

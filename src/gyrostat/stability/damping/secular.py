@@ -26,7 +26,8 @@ from ..criteria.energy_casimir import SecondVariation, secular_variation
 from ..criteria.numbers_asked import names_in, names_needed, names_of_motion
 from ..criteria.three_criteria import across, of_stiffness, positive, secular_criterion
 from ..criteria.truth import holds, sign_at
-from ..decision import Decision, Notion, Rung, settled, undecided
+from ..decision import Decision, Rung, settled, undecided
+from ..notion import Notion
 
 KEPT = "damping takes energy, which has a strict minimum on the orbit"
 LOST = "damping takes energy, which is not least on the orbit: it is lost"

@@ -13,7 +13,8 @@ from ...mechanics.scenes.kind import Kind
 from ...mechanics.scenes.lie_poisson import hat
 from ..criteria.orientation_form import orientation_form, rests_in_frame
 from ..criteria.three_criteria import stiffness
-from ..decision import Decision, Notion, undecided
+from ..decision import Decision, undecided
+from ..notion import Notion
 from ..theorems.two_directions import on_curve
 from .secular import Secular
 

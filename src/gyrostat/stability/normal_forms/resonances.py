@@ -9,7 +9,8 @@ from ...algebra.enclosures.balls import ball
 from ...algebra.enclosures.precision import own_precision
 from ...algebra.reals.eigenvalues import Element, in_ratio
 from ...algebra.rings.series import Part, added, is_zero, substituted
-from ..decision import C1, Decision, Notion, Rung, settled, undecided
+from ..decision import C1, Decision, Rung, settled, undecided
+from ..notion import Notion
 from .birkhoff import (
     ONES,
     W1,

@@ -18,7 +18,8 @@ from ..criteria.linearization import Linearization
 from ..criteria.orientation_form import stiffness_with
 from ..criteria.truth import holds
 from ..damping.secular import Secular
-from ..decision import Decision, Notion, Rung, settled, undecided
+from ..decision import Decision, Rung, settled, undecided
+from ..notion import Notion
 from .report import Report
 
 ALL = "stable against all motions, those too in which the directions do not stay parallel"

@@ -13,8 +13,9 @@ from ..criteria.conditions import Criterion
 from ..criteria.energy_casimir import SecondVariation
 from ..criteria.linearization import Linearization
 from ..damping.secular import KEEPS, Secular, lost, secular_of
-from ..decision import Decision, Notion, Rung, settled
+from ..decision import Decision, Rung, settled
 from ..ladder import GROWS
+from ..notion import Notion
 from .derived_parts import DEFINITE
 from .report import Report
 

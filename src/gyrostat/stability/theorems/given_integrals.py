@@ -20,7 +20,8 @@ from ..criteria.conditions import Condition, Criterion
 from ..criteria.energy_casimir import restricted
 from ..criteria.linearization import Linearization
 from ..criteria.three_criteria import spectral_criterion
-from ..decision import C1, Decision, Notion, Rung, settled, undecided
+from ..decision import C1, Decision, Rung, settled, undecided
+from ..notion import Notion
 
 
 def integral_criterion(linearization: Linearization) -> Criterion:

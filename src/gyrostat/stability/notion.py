@@ -1,0 +1,37 @@
+"""Of what stability something is proved, or violated."""
+from enum import Enum
+
+
+class Notion(Enum):
+    """Of what stability something is proved, or violated; NOTHING, which is false, of what is undecided.
+
+    A notion prints as its value, and is equal to that text.
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> report = gs.analyze(gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())))
+    >>> report.verdict({"I1": 1, "l": 0, "m0": 1, "pi3_0": 1}).notion is gs.Notion.SPECTRAL
+    True
+    """
+
+    NOTHING = ""
+    LYAPUNOV = "Lyapunov"
+    ARNOLD_MOSER = "Lyapunov (Arnold-Moser)"               # by a normal form, with two degrees of freedom
+    SPECTRAL = "spectral"                                  # no eigenvalue has a positive real part
+    FORMAL = "formal"                                      # the second variation is definite
+    SECULAR = "secular"                                    # under internal damping
+    ENERGY_SINK = "energy sink"                            # to first order in weak dampers
+    PRINTED = "printed"                                    # as a paper has it
+
+    def __str__(self) -> str:
+        return self.value
+
+    def __bool__(self) -> bool:
+        return self is not Notion.NOTHING
+
+    def __eq__(self, other: object) -> bool:
+        return self is other or self.value == other
+
+    def __hash__(self) -> int:
+        return hash(self.value)
