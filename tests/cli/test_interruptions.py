@@ -22,10 +22,13 @@ ENDLESS = ["decide", "--potential", "k3**4 - k3**2/2",
 
 
 def ended(arguments, after, number=signal.SIGINT, folder=None, **more):
-    """The command, ended by a signal to its group so long after something is on its way."""
+    """The command, ended by a signal to its group so long after something is on its way.
+
+    A shell lets what it starts in the background ignore SIGINT, and a child inherits that.
+    """
     with subprocess.Popen([*COMMAND, *arguments], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                          stdin=subprocess.PIPE, cwd=folder,
-                          start_new_session=True, **more) as running:
+                          stdin=subprocess.PIPE, cwd=folder, start_new_session=True,
+                          preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL), **more) as running:
         after(running)
         os.killpg(running.pid, number)
         out, err = running.communicate(timeout=60)
