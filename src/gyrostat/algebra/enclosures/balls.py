@@ -6,11 +6,12 @@ from functools import lru_cache
 from types import MappingProxyType
 
 import sympy
-from flint import arb, ctx, fmpq
+from flint import arb, ctx
 from sympy import Add, CRootOf, Expr, Float, Mul, Pow, Rational, Symbol
 
 from .algebraic import real_root
 from .precision import own_precision
+from .rationals import to_flint
 
 FARTHEST = 8192                                        # bits at which a number is told from 0
 NOTHING: Mapping[Symbol, arb] = MappingProxyType({})
@@ -67,7 +68,7 @@ def _ball(node: Expr, values: Mapping[Symbol, arb]) -> arb:
     if isinstance(node, Symbol):
         return values[node]
     if isinstance(node, Rational):
-        return arb(fmpq(int(node.p), int(node.q)))
+        return arb(to_flint(node))
     if isinstance(node, Add):
         return sum((_ball(part, values) for part in node.args), arb(0))
     if isinstance(node, Mul):
@@ -116,8 +117,7 @@ def _root(base: arb, n: int) -> arb:
 
 def interval(low: Fraction, high: Fraction | None = None) -> arb:
     """The ball that reaches from one number to another, at the precision that is set."""
-    ends = [arb(fmpq(x.numerator, x.denominator)) for x in (low, low if high is None else high)]
-    return ends[0].union(ends[1])
+    return arb(to_flint(low)).union(arb(to_flint(low if high is None else high)))
 
 
 def dyadic(enclosure: arb, small: Fraction) -> Fraction | None:

@@ -32,6 +32,7 @@ from sympy import (
 )
 
 from ..enclosures.algebraic import TURNS, coprime, is_algebraic, separation
+from ..enclosures.rationals import to_flint, to_sympy
 from ..rings.constituents import Constituents, multiples
 from ..rings.enclosed_roots import RealRoot
 from ..rings.polynomials import by_degree
@@ -129,7 +130,7 @@ class _Form:
         if node in self._gens:
             return self._gens[node], self._one
         if isinstance(node, Rational):
-            return self._one * fmpq(int(node.p), int(node.q)), self._one
+            return self._one * to_flint(node), self._one
         if isinstance(node, Add):
             return reduce(self._ring.sum, map(self.fraction, node.args))
         if isinstance(node, Mul):
@@ -229,6 +230,5 @@ class _Form:
         return all(self._sign(c) == 0 for c in coefficients)
 
     def _expression(self, terms: dict[tuple[int, ...], fmpq]) -> Expr:
-        return Add(*(Mul(Rational(int(c.p), int(c.q)),
-                         *(Pow(v, int(e)) for v, e in zip(self._meaning, exponents) if e))
+        return Add(*(Mul(to_sympy(c), *(Pow(v, int(e)) for v, e in zip(self._meaning, exponents) if e))
                      for exponents, c in terms.items()))

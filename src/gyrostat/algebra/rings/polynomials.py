@@ -11,6 +11,7 @@ from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 from sympy import Add, Expr, Integer, Mul, Pow, Rational, S, Symbol, exp
 
 from ...errors import ExpressionError
+from ..enclosures.rationals import to_flint, to_sympy
 from .generators import collect, exponential, spelt_once
 
 Row = list[fmpq_mpoly]
@@ -70,7 +71,7 @@ class Ring:
 
     def _convert(self, node: Expr) -> tuple[fmpq_mpoly, fmpq_mpoly]:
         if isinstance(node, Rational):
-            return self._context.constant(fmpq(int(node.p), int(node.q))), self.one
+            return self._context.constant(to_flint(node)), self.one
         if isinstance(node, Add):
             return self._add([self.fraction(part) for part in node.args])
         if isinstance(node, Mul):
@@ -128,12 +129,8 @@ class Ring:
         terms = []
         for exponents, c in zip(polynomial.monoms(), polynomial.coeffs()):
             powers = [g if e == 1 else Pow(g, Integer(e)) for g, e in zip(self._meaning, exponents) if e]
-            terms.append(Mul(*powers) if c == 1 else Mul(self.constant(c), *powers))
+            terms.append(Mul(*powers) if c == 1 else Mul(to_sympy(c), *powers))
         return self._written(Add(*terms), polynomial, self.one)
-
-    def constant(self, number: fmpq) -> Expr:
-        """The SymPy number."""
-        return Rational(int(number.p), int(number.q))
 
     def _written(self, expression: Expr, top: fmpq_mpoly, bottom: fmpq_mpoly) -> Expr:
         """An expression that is known when it is read again."""
@@ -243,6 +240,5 @@ def by_factors(expression: Expr) -> Expr:
     products = []
     for polynomial in ring.fraction(expression):
         constant, factors = polynomial.factor()
-        products.append(Mul(Rational(int(constant.p), int(constant.q)),
-                            *(ring.expression(factor) ** int(n) for factor, n in factors)))
+        products.append(Mul(to_sympy(constant), *(ring.expression(f) ** int(n) for f, n in factors)))
     return products[0] / products[1]

@@ -5,6 +5,7 @@ from flint import fmpq_mpoly
 from sympy import Add, Expr, ImmutableMatrix, Mul, Pow, Symbol
 
 from ...notation import order
+from ..enclosures.rationals import to_sympy
 from .polynomials import Ring, cancel
 
 
@@ -60,7 +61,7 @@ def _factors(ring: Ring, polynomial: fmpq_mpoly) -> list[Expr]:
         elif squared is None and _starts_negative(part):
             part, content = _collected(ring, -f), content * (-1) ** n
         parts.append(Pow(part, n))
-    return [ring.constant(content), *parts]
+    return [to_sympy(content), *parts]
 
 
 def _starts_negative(expression: Expr) -> bool:
@@ -112,7 +113,7 @@ def _collected(ring: Ring, polynomial: fmpq_mpoly) -> Expr:
             turned = _starts_negative(part)
             parts.append(Pow(-part if turned else part, n))
             content *= (-1) ** n if turned else 1
-        terms.append(Mul(ring.constant(content), ring.monomial(kind), *parts))
+        terms.append(Mul(to_sympy(content), ring.monomial(kind), *parts))
     return Add(*terms)
 
 

@@ -7,6 +7,7 @@ from sympy import Dummy, Expr, ImmutableMatrix, Rational, oo
 
 from ...errors import ScopeError
 from ..enclosures.balls import ball
+from ..enclosures.rationals import to_sympy
 from ..reals.exact import sign_of_constant
 from .roots import between, real_roots
 
@@ -85,8 +86,7 @@ def _searched(form: ImmutableMatrix, others: Sequence[ImmutableMatrix]) -> Itera
         v = _not_positive(total)
         if v is None and weights[0]:
             ratios = [Fraction(w * sizes[0] / (weights[0] * size)) for w, size in zip(weights[1:], sizes[1:])]
-            yield from (tuple(Rational(*r.limit_denominator(n).as_integer_ratio()) for r in ratios)
-                        for n in SIMPLEST)
+            yield from (tuple(to_sympy(r.limit_denominator(n)) for r in ratios) for n in SIMPLEST)
             return
         v = v or [1.0] * form.rows
         square = sum(x * x for x in v)

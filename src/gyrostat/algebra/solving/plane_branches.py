@@ -5,12 +5,13 @@ from fractions import Fraction
 from itertools import pairwise
 from typing import NamedTuple
 
-from flint import arb, arb_poly, fmpq, fmpq_mpoly, fmpq_poly
+from flint import arb, arb_poly, fmpq_mpoly, fmpq_poly
 from sympy import Expr, Rational, Symbol, oo
 
 from ...errors import ScopeError
 from ..enclosures.balls import ball
 from ..enclosures.precision import own_precision
+from ..enclosures.rationals import to_flint
 from ..rings.polynomials import Ring, by_degree
 from .plane_curves import PlaneCurve
 from .roots import between, in_order, roots_of_factor
@@ -73,7 +74,7 @@ def strands(F: Expr, x: Symbol, t: Symbol, known: Mapping[Rational, Mapping[Expr
     growing: list[tuple[tuple[Span, ...], Expr | None]] = []
     for low, high in pairwise([-oo, *in_order(special), oo]):
         middle, before = between(low, high), len(growing)
-        count = len(curve.roots(Fraction(int(middle.p), int(middle.q))))
+        count = len(curve.roots(Fraction(middle)))
         if low == -oo:
             growing = [((), None)] * count
         elif low in known and before == count:
@@ -147,7 +148,7 @@ def _untold(curve: PlaneCurve, at: Expr) -> ScopeError:
 
 def _crossed(curve: PlaneCurve, at: Rational, known: Mapping[Expr, bool], count: int) -> list[int]:
     """Where two roots cross, how many are below them; of so many, of which no others meet."""
-    _, factors = fmpq_poly([part(fmpq(int(at.p), int(at.q))) for part in _in_x(curve)]).factor()
+    _, factors = fmpq_poly([part(to_flint(at)) for part in _in_x(curve)]).factor()
     orders = {root: order for factor, order in factors for root in roots_of_factor(factor)}
     below, found = 0, []
     for root in in_order(list(orders)):

@@ -8,13 +8,14 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from flint import arb, arb_poly, ctx, fmpq, fmpq_mpoly, fmpq_poly
-from sympy import Expr, Rational, S, Symbol
+from sympy import Expr, S, Symbol
 
 from ..._cached import cached_property
 from ...errors import ScopeError
 from ..enclosures.algebraic import is_algebraic
 from ..enclosures.balls import ball, dyadic, interval
 from ..enclosures.precision import own_precision
+from ..enclosures.rationals import to_flint, to_sympy
 from ..reals.exact import sign_of_constant
 from ..rings.elimination import deflated, inflated, linear
 from ..rings.polynomials import Ring, by_degree, cancel
@@ -217,7 +218,7 @@ class PlaneCurve:
         the precision; count, if known.
         """
         if not self.rational and count is None:
-            placed = inserted(self.ring, self.whole, {self.t: Rational(t.numerator, t.denominator)})
+            placed = inserted(self.ring, self.whole, {self.t: to_sympy(t)})
             count = len(real_roots(placed, self.x, *self.ends) or ())
         while True:
             with own_precision(precision):
@@ -230,7 +231,7 @@ class PlaneCurve:
         parts = by_degree(self.whole, self.place[0], self.degree(self.whole, 0))
         if self.rational:
             at = [fmpq(0)] * len(self.ring.generators)
-            at[self.place[1]] = fmpq(t.numerator, t.denominator)
+            at[self.place[1]] = to_flint(t)
             real = [x.real for x, _ in fmpq_poly([part(*at) for part in parts]).complex_roots()
                     if x.imag == 0]
         else:

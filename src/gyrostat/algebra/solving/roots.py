@@ -12,6 +12,7 @@ from sympy import Add, Expr, Mul, Poly, Pow, Rational, S, Symbol, floor, minimal
 from ...errors import ScopeError, brief
 from ..enclosures.algebraic import is_algebraic
 from ..enclosures.balls import ball, ends
+from ..enclosures.rationals import to_sympy
 from ..reals.exact import proved_sign
 from ..rings.enclosed_roots import roots_by_enclosures
 from ..rings.polynomials import Ring, by_degree
@@ -194,8 +195,7 @@ def between(a: Expr, b: Expr) -> Rational:
 
 def _side(number: Expr, precision: int, side: int) -> Rational:
     """The upper or lower end of an enclosure, exact."""
-    end = ends(ball(number, precision))[side > 0]
-    return Rational(end.numerator, end.denominator)
+    return to_sympy(ends(ball(number, precision))[side > 0])
 
 
 def nearest(value: Expr, known: list[Expr], power: int = 1) -> Expr:
@@ -219,11 +219,11 @@ def inserted(ring: Ring, polynomial: fmpq_mpoly, numbers: Mapping[Expr, Expr]) -
     Never inside a number, where a CRootOf has a variable of its own.
     """
     meaning = [numbers.get(g, ring.expression(ring.gens[g])) for g in ring.generators]
-    return Add(*(Mul(Rational(int(c.p), int(c.q)), *(Pow(g, int(e)) for g, e in zip(meaning, exponents) if e))
+    return Add(*(Mul(to_sympy(c), *(Pow(g, int(e)) for g, e in zip(meaning, exponents) if e))
                  for exponents, c in polynomial.to_dict().items()))
 
 
 def roots_of_factor(factor: fmpq_poly) -> list[Expr]:
     """The real roots of an irreducible polynomial."""
-    c = [Rational(int(a.p), int(a.q)) for a in factor.coeffs()]
+    c = list(map(to_sympy, factor.coeffs()))
     return _solved(c) if len(c) <= 3 else roots_of(c)

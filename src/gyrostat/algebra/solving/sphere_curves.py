@@ -9,9 +9,10 @@ from functools import reduce
 from itertools import pairwise
 
 from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx, fmpq_poly
-from sympy import Add, Dummy, Expr, Integer, Matrix, Mul, Poly, Rational, S, eye, oo, sqrt
+from sympy import Add, Dummy, Expr, Integer, Matrix, Mul, Poly, S, eye, oo, sqrt
 
 from ..._cached import cached_property
+from ..enclosures.rationals import to_flint, to_sympy
 from ..reals.exact import evaluate
 from ..reals.number_fields import in_one
 from ..rings.polynomials import by_degree
@@ -63,8 +64,7 @@ class SphereCurve:
         special = dict.fromkeys([*_real_roots(in_one(meeting, 0)), *_real_roots(parts[-1])])
         for low, high in pairwise([-oo, *in_order(list(special)), oo]):
             x = between(low, high)
-            at = fmpq(int(x.p), int(x.q))
-            if found := _real_roots(fmpq_poly([part(at) for part in parts])):
+            if found := _real_roots(fmpq_poly([part(to_flint(x)) for part in parts])):
                 return [_above(x, found[0])]
         return []
 
@@ -92,7 +92,7 @@ class SphereCurve:
     def axis(self) -> tuple[Expr, ...] | None:
         """The axis about which its arcs are circles: turns about it keep the polynomial. None: no circles."""
         places = {e for part in self._turned for e in part}
-        rows = [[_rational(part.get(e, fmpq(0))) for part in self._turned] for e in sorted(places)]
+        rows = [[to_sympy(part.get(e, fmpq(0))) for part in self._turned] for e in sorted(places)]
         found = Matrix(rows).nullspace()
         return tuple(found[0]) if len(found) == 1 else None
 
@@ -194,7 +194,3 @@ def _above(x: Expr, y: Expr) -> tuple[Expr, ...]:
     """The point of the sphere over one of the plane."""
     square = evaluate(x**2 + y**2, {})
     return tuple(evaluate(top / (square + 1), {}) for top in (2 * x, 2 * y, square - 1))
-
-
-def _rational(x: fmpq) -> Rational:
-    return Rational(int(x.p), int(x.q))

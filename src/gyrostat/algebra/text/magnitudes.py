@@ -7,10 +7,11 @@ from collections.abc import Callable
 from math import prod
 from typing import Any
 
-from flint import arb, fmpq
+from flint import arb
 from sympy import Rational
 
 from ..enclosures.precision import own_precision
+from ..enclosures.rationals import to_flint
 
 # bits; what two enclosures of it do not tell apart is not told apart
 PRECISION = 512
@@ -33,7 +34,7 @@ def enclosed(operation: Callable[..., arb], *enclosures: arb | None) -> arb | No
 def number(value: Rational) -> arb:
     """Enclosure of a rational number."""
     with own_precision(PRECISION):
-        return arb(fmpq(int(value.p), int(value.q)))
+        return arb(to_flint(value))
 
 
 def at_most_one() -> arb:

@@ -9,6 +9,7 @@ from sympy import CRootOf, Expr, Float, Rational, S
 
 from ...errors import ExpressionError, ValuesError, brief
 from ...notation import own, symbol
+from ..enclosures.rationals import to_sympy
 from ..rings.subexpressions import occurring
 from .bounded_parts import enclosure
 from .quantities import in_si, text_of
@@ -52,7 +53,7 @@ def double(value: Expr) -> str:
     ):
         return ""
     near = int(value.p) / int(value.q)
-    return repr(near) if Fraction(near) == Fraction(int(value.p), int(value.q)) else ""
+    return repr(near) if Fraction(near) == Fraction(value) else ""
 
 
 def exact_expression(value: Any, name: str = "value") -> Expr:
@@ -93,7 +94,7 @@ def exact_number(value: Any, name: str = "value") -> Expr:
     (100*pi, 1/40)
     """
     if type(value) in (int, Fraction):                     # by far the most
-        return _bounded(Rational(value.numerator, value.denominator), name)
+        return _bounded(to_sympy(value), name)
     if getattr(value, "shape", None) == () and hasattr(value, "item") and not getattr(value, "mask", False):
         value = value.item()
     value = text_of(value)
@@ -118,7 +119,7 @@ def exact_number(value: Any, name: str = "value") -> Expr:
                           "an int, Fraction, "
                           "float, SymPy number or a string like '1/2'")
     if isinstance(value, numbers.Rational):
-        return _bounded(Rational(int(value.numerator), int(value.denominator)), name)
+        return _bounded(to_sympy(value), name)
     try:
         ratio = Rational(*map(int, value.as_integer_ratio()))
     except (OverflowError, ValueError, AttributeError):

@@ -5,12 +5,13 @@ from functools import lru_cache
 
 import numpy as np
 from flint import arb
-from sympy import Expr, Rational
+from sympy import Expr
 
 from ..._cached import cached_property
 from ...algebra.enclosures.balls import ball
 from ...algebra.enclosures.double_double import two_sum
 from ...algebra.enclosures.floats import Array
+from ...algebra.enclosures.rationals import to_sympy
 from ...algebra.reals.exact import sign_of_constant
 
 # bits of the enclosures that are rounded to float64
@@ -135,7 +136,7 @@ def rounded(number: Expr) -> tuple[float, float]:
 
 
 def _not_below(number: Expr, bound: float) -> bool:
-    return math.isfinite(bound) and sign_of_constant(number - Rational(*bound.as_integer_ratio())) in (0, 1)
+    return math.isfinite(bound) and sign_of_constant(number - to_sympy(bound)) in (0, 1)
 
 
 def enclosed(constant: Expr) -> Enclosure:
@@ -149,4 +150,3 @@ def bounds_of(low: arb, high: arb) -> tuple[float, float]:
     if not (low.is_finite() and high.is_finite()):
         return -np.inf, np.inf
     return math.nextafter(float(low.lower()), -math.inf), math.nextafter(float(high.upper()), math.inf)
-

@@ -27,6 +27,7 @@ from .regions import Region
 
 Bounds = dict[Expr, Enclosure]
 
+
 def _compared(bounds: Enclosure, relation: Relation) -> Array:
     """Whether a relation to 0 is proved or disproved at every point of a box."""
     if relation in (operator.ne, operator.eq):

@@ -5,6 +5,7 @@ import numpy as np
 from flint import fmpq
 
 from ...algebra.enclosures.floats import Array
+from ...algebra.enclosures.rationals import to_flint
 
 # more than the relative error of a sum, of a product or square root, of a quotient; beside numbers too small
 SUM, PRODUCT, QUOTIENT, TINY = 2.0**-52, 2.0**-51, 2.0**-48, 2.0**-900
@@ -131,6 +132,6 @@ def _ball(x: Any) -> BallArray:
         return x
     if isinstance(x, fmpq):
         near = int(x.p) / int(x.q)
-        exact = fmpq(*near.as_integer_ratio()) == x
+        exact = to_flint(near) == x
         return BallArray(near, None if exact else np.asarray(abs(near) * SUM + TINY))
     return BallArray(float(x) if not isinstance(x, complex) else x)

@@ -107,4 +107,3 @@ def _run(program: Program, leaves: Mapping[Expr, Dyadics], kind: Any) -> Dyadics
 def _shifted(a: Dyadics, power: Array) -> Array:
     """Whole numbers of a lower power."""
     return a.whole << (a.power - power).astype(a.whole.dtype)
-

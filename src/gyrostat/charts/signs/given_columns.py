@@ -9,6 +9,7 @@ from sympy import Expr, Rational
 
 from ...algebra.enclosures.balls import ball
 from ...algebra.enclosures.floats import Array
+from ...algebra.enclosures.rationals import to_sympy
 from ...algebra.reals.exact import LIMIT
 from ...algebra.text.numbers import exact_number
 from ...arguments import MOST
@@ -55,7 +56,7 @@ def read_entry(name: str, value: Any, kind: Any, finite: bool) -> tuple[Array, A
         else:
             numbers[where] = float("nan")              # the only floats among the exact numbers
     floats = np.array([_near(x) for x in numbers.flat], dtype=float).reshape(array.shape)
-    if all(Rational(*x.as_integer_ratio()) == n if np.isfinite(x) else False
+    if all(to_sympy(x) == n if np.isfinite(x) else False
            for x, n in zip(floats.ravel().tolist(), numbers.flat)):
         return floats.astype(kind), None
     return floats.astype(kind), numbers

@@ -9,12 +9,13 @@ from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
-from flint import arb, fmpq
+from flint import arb
 from sympy import Expr, Integer, Rational, Symbol
 
 from ...algebra.enclosures.balls import ball
 from ...algebra.enclosures.floats import Array
 from ...algebra.enclosures.precision import ONE_AT_A_TIME, own_precision
+from ...algebra.enclosures.rationals import to_flint, to_sympy
 from ...algebra.reals.exact import compiled, sign
 from ..grids import Grid, Slices, cut, places
 from .dyadic import dyadic_signs
@@ -174,24 +175,20 @@ class ExactSign:
             values = dict(zip(self.symbols, map(_ball_of, numbers)))
             enclosure = self.program.run(lambda leaf: values[leaf] if leaf in values
                                          else ball(leaf, PRECISION, values),
-                                         lambda c: arb(fmpq(int(c.p), int(c.q))), _BALLS)[-1]
+                                         lambda c: arb(to_flint(c)), _BALLS)[-1]
         if enclosure > 0 or enclosure < 0:
             return 1 if enclosure > 0 else -1
         if self.polynomial is None or not all(isinstance(x, (float, Rational)) for x in numbers):
             found = sign(self.expression, dict(zip(self.symbols, map(dyadic_rational, numbers))))
             return UNKNOWN if found is None else found
-        given = dict(zip(self.symbols, map(_rational, numbers)))
+        given = dict(zip(self.symbols, map(to_flint, numbers)))
         value = self.polynomial[1](*(given[s] for s in self.polynomial[0]))
         return 1 if value > 0 else -1 if value < 0 else 0
 
 
 def dyadic_rational(x: float | Expr) -> Expr:
     """The number that a double is."""
-    return Rational(*x.as_integer_ratio()) if isinstance(x, float) else x
-
-
-def _rational(x: float | Rational) -> fmpq:
-    return fmpq(*x.as_integer_ratio()) if isinstance(x, float) else fmpq(int(x.p), int(x.q))
+    return to_sympy(x) if isinstance(x, float) else x
 
 
 def _ball_of(x: float | Expr) -> arb:

@@ -247,4 +247,3 @@ def _denominators(values: Sequence[Expr]) -> list[Expr]:
         if not bottom.is_constant():
             found.append(ring.expression(bottom))
     return list(dict.fromkeys(found))
-

@@ -13,6 +13,7 @@ from sympy import Expr, Poly, Rational, S, sqrt, trigsimp
 from ..._cached import cached_property
 from ...algebra.enclosures.algebraic import is_algebraic
 from ...algebra.enclosures.balls import ball
+from ...algebra.enclosures.rationals import to_flint, to_sympy
 from ...algebra.reals.exact import proved_sign
 from ...errors import ValuesError
 from ...mechanics.scenes.system import System
@@ -46,7 +47,7 @@ class Level(Stored):
         body = self.scene.body
         given = (body.moments[0], body.moments[2], body.gyrostatic_momentum[2], *self.state)
         rational = self.field is not None and all(isinstance(x, Rational) for x in (*given, *self.field))
-        return tuple(map(quotient, given)) if rational else given
+        return tuple(map(to_flint, given)) if rational else given
 
     @cached_property
     def field(self) -> tuple[Expr, ...] | None:
@@ -130,7 +131,7 @@ class Level(Stored):
         """Coefficients of g, the constant first; None where U is no polynomial."""
         if self.field is None:
             return None
-        U = [quotient(c) if isinstance(self.height, fmpq) else c for c in self.field]
+        U = [to_flint(c) if isinstance(self.height, fmpq) else c for c in self.field]
         fall = [-2 * self.inertia * c for c in U]
         fall[0] = fall[0] + self.across - sum(c * self.height**n for n, c in enumerate(fall))
         turned = [self.level * self.level, -2 * self.level * self.axial, self.axial * self.axial]
@@ -191,14 +192,9 @@ def coefficients(U: Expr) -> tuple[Expr, ...] | None:
     return tuple(reversed(Poly(U, K3).all_coeffs())) if U.is_polynomial(K3) else None
 
 
-def quotient(number: Rational) -> fmpq:
-    """A rational number, as fast as can be."""
-    return fmpq(int(number.p), int(number.q))
-
-
 def expression(number: Any) -> Expr:
     """A number of either kind as an expression."""
-    return Rational(int(number.p), int(number.q)) if isinstance(number, fmpq) else S(number)
+    return to_sympy(number) if isinstance(number, fmpq) else S(number)
 
 
 def enclosed(number: Any) -> arb:
