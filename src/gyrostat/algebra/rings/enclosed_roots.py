@@ -74,6 +74,14 @@ def _monic(coefficients: Sequence[Expr]) -> tuple[tuple[Expr, ...], Expr]:
     return (*((c * power).expand() for c, power in zip(rest, powers)), S.One), lead
 
 
+def divided_by_root(coefficients: Sequence[arb], root: arb) -> list[arb]:
+    """A polynomial divided by x − root, by Horner's rule; both from the constant term, no remainder."""
+    quotient = [coefficients[-1]]
+    for c in coefficients[-2:0:-1]:
+        quotient.append(c + root * quotient[-1])
+    return quotient[::-1]
+
+
 @lru_cache(maxsize=256)
 def isolated(coefficients: tuple[Expr, ...], precision: int) -> list[arb] | None:
     """Enclosures of the real roots in increasing order; None where the roots are not told apart.

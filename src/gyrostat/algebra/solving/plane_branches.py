@@ -5,16 +5,18 @@ from fractions import Fraction
 from itertools import pairwise
 from typing import NamedTuple
 
-from flint import arb, arb_poly, fmpq_mpoly, fmpq_poly
+from flint import arb, arb_poly, fmpq_poly
 from sympy import Expr, Rational, Symbol, oo
 
 from ...errors import ScopeError
 from ..enclosures.balls import ball
 from ..enclosures.precision import own_precision
 from ..enclosures.rationals import to_flint
-from ..rings.polynomials import Ring, by_degree
+from ..reals.number_fields import in_one
+from ..rings.enclosed_roots import divided_by_root
+from ..rings.polynomials import by_degree
 from .plane_curves import PlaneCurve
-from .roots import between, in_order, roots_of_factor
+from .roots import between, in_order, roots_of_factor, roots_of_polynomial
 
 FINEST, LEAST = 2**13, 1000                            # bits; of the width of a root
 
@@ -94,8 +96,8 @@ def strands(F: Expr, x: Symbol, t: Symbol, known: Mapping[Rational, Mapping[Expr
 def _where_roots_meet(curve: PlaneCurve, eliminated: int, left: Symbol) -> list[Expr]:
     """The real t, or x, of all points at which x is a multiple root."""
     F, name = curve.whole, str(curve.whole.context().names()[curve.place[eliminated]])
-    whole = univariate(curve.ring, F.resultant(F.derivative(curve.place[0]), name), left)
-    return [root for factor, _ in whole.factor()[1] for root in roots_of_factor(factor)]
+    resultant = F.resultant(F.derivative(curve.place[0]), name)
+    return roots_of_polynomial(in_one(resultant, curve.ring.generators.index(left)))
 
 
 def _folds(curve: PlaneCurve, at: Expr, double: Sequence[Expr], count: int) -> list[tuple[Expr, int]]:
@@ -117,20 +119,12 @@ def _folds(curve: PlaneCurve, at: Expr, double: Sequence[Expr], count: int) -> l
                 return []
             if len(left) == count:
                 for x0 in left:
-                    parts = _divided(_divided(parts, near[x0]), near[x0])
+                    parts = divided_by_root(divided_by_root(parts, near[x0]), near[x0])
                 others = _isolated(parts, 2.0 ** -min(precision // 4, LEAST))
                 if others is not None and not any(x.overlaps(near[x0]) for x in others for x0 in left):
                     return [(x0, sum(bool(x < near[x0]) for x in others)) for x0 in left]
         precision *= 2
     raise _untold(curve, at)
-
-
-def _divided(parts: Sequence[arb], root: arb) -> list[arb]:
-    """The coefficients of a polynomial divided by x − root, the remainder left out."""
-    quotient = [parts[-1]]
-    for c in parts[-2:0:-1]:
-        quotient.append(c + root * quotient[-1])
-    return quotient[::-1]
 
 
 def _isolated(parts: Sequence[arb], width: float) -> list[arb] | None:
@@ -162,12 +156,5 @@ def _crossed(curve: PlaneCurve, at: Rational, known: Mapping[Expr, bool], count:
 
 def _in_x(curve: PlaneCurve) -> list[fmpq_poly]:
     """The coefficients of the powers of x, in t."""
-    return [univariate(curve.ring, part, curve.t)
-            for part in by_degree(curve.whole, curve.place[0], curve.degree(curve.whole, 0))]
-
-
-def univariate(ring: Ring, polynomial: fmpq_mpoly, t: Symbol) -> fmpq_poly:
-    """Of a polynomial in t alone."""
-    place = ring.generators.index(t)
-    coefficients = {exponents[place]: c for exponents, c in polynomial.to_dict().items()}
-    return fmpq_poly([coefficients.get(n, 0) for n in range(max(coefficients, default=-1) + 1)])
+    x, t = curve.place
+    return [in_one(part, t) for part in by_degree(curve.whole, x, curve.degree(curve.whole, 0))]

@@ -17,7 +17,7 @@ from ..enclosures.balls import ball, dyadic, interval
 from ..enclosures.precision import own_precision
 from ..enclosures.rationals import to_flint, to_sympy
 from ..reals.exact import sign_of_constant
-from ..rings.elimination import deflated, inflated, linear
+from ..rings.elimination import linear
 from ..rings.polynomials import Ring, by_degree, cancel
 from .roots import inserted, nearest, real_roots
 
@@ -130,9 +130,10 @@ class PlaneCurve:
 
     def common(self, F: fmpq_mpoly, G: fmpq_mpoly) -> list[tuple[Expr, Expr]]:
         """Common zeros (t, x) of a component and a polynomial that it does not divide; t is canonical."""
-        x, t = self.place
+        t = self.place[1]
         n = math.gcd(*(int(e[t]) for f in (F, G) for e in f.to_dict())) or 1
-        F, G = (deflated(f, t, n) for f in (F, G))
+        powers = [n if place == t else 1 for place in range(len(self.ring.generators))]
+        F, G = F.deflate(powers), G.deflate(powers)    # with s for tⁿ
         if self.degree(F, 0) * self.degree(G, 1) + self.degree(G, 0) * self.degree(F, 1) > LARGEST:
             raise ScopeError(f"the points of a curve of degree {self.degree(self.whole, 0)} in {self.x} and "
                              f"{self.degree(self.whole, 1)} in {self.t} are roots of polynomials of degree "
@@ -149,8 +150,8 @@ class PlaneCurve:
         pairs = [(s, x0) for x0 in across for s in self._above(F, G, x0, along)]
         if n == 1:
             return pairs
-        powers = real_roots(self.ring.expression(inflated(over_t, t, n)), self.t) or []
-        return [(root, x0) for s, x0 in pairs for root in powers if nearest(root, along, n) == s]
+        roots = real_roots(self.ring.expression(over_t.inflate(powers)), self.t) or []
+        return [(root, x0) for s, x0 in pairs for root in roots if nearest(root, along, n) == s]
 
     def _resultant(self, F: fmpq_mpoly, G: fmpq_mpoly, which: int) -> fmpq_mpoly:
         """What is left of two polynomials when x (0) or t (1) is eliminated."""

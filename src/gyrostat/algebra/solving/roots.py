@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterable, Mapping, Sequence
 from functools import cmp_to_key
 
-from flint import arb, fmpq, fmpq_mpoly, fmpq_poly
+from flint import arb, fmpq_mpoly, fmpq_poly
 from sympy import Add, Expr, Mul, Poly, Pow, Rational, S, Symbol, floor, minimal_polynomial, oo, sqrt
 
 from ...errors import ScopeError, brief
@@ -14,6 +14,7 @@ from ..enclosures.algebraic import is_algebraic
 from ..enclosures.balls import ball, ends
 from ..enclosures.rationals import to_sympy
 from ..reals.exact import proved_sign
+from ..reals.number_fields import in_one
 from ..rings.enclosed_roots import roots_by_enclosures
 from ..rings.polynomials import Ring, by_degree
 from .root_numbers import roots_of
@@ -95,16 +96,13 @@ def _by_norm(ring: Ring, polynomial: fmpq_mpoly, x: Symbol) -> list[Expr] | None
     """
     if not all(g == x or is_algebraic(g) for g in ring.generators):
         return None
-    norm, place = polynomial, ring.generators.index(x)
+    norm = polynomial
     for n, g in enumerate(ring.generators):                # each root before those inside it
         if g != x and norm.degrees()[n]:
             norm = norm.resultant(_relation(ring, g, x), str(norm.context().names()[n]))
     if not norm:
         return None
-    nothing = (0,) * len(ring.generators)
-    coefficients = [c.to_dict().get(nothing, fmpq(0)) for c in by_degree(norm, place, norm.degrees()[place])]
-    found = in_order([r for factor, _ in fmpq_poly(coefficients).factor()[1]
-                      for r in roots_of_factor(factor)])
+    found = in_order(roots_of_polynomial(in_one(norm, ring.generators.index(x))))
     return found if norm is polynomial else _kept(ring, polynomial, x, found)
 
 
@@ -221,6 +219,12 @@ def inserted(ring: Ring, polynomial: fmpq_mpoly, numbers: Mapping[Expr, Expr]) -
     meaning = [numbers.get(g, ring.expression(ring.gens[g])) for g in ring.generators]
     return Add(*(Mul(to_sympy(c), *(Pow(g, int(e)) for g, e in zip(meaning, exponents) if e))
                  for exponents, c in polynomial.to_dict().items()))
+
+
+def roots_of_polynomial(polynomial: fmpq_poly) -> list[Expr]:
+    """The different real roots of a polynomial, factor by factor; none of 0."""
+    factors = polynomial.factor()[1] if polynomial else ()
+    return [root for factor, _ in factors for root in roots_of_factor(factor)]
 
 
 def roots_of_factor(factor: fmpq_poly) -> list[Expr]:

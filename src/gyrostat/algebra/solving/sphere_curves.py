@@ -16,7 +16,7 @@ from ..enclosures.rationals import to_flint, to_sympy
 from ..reals.exact import evaluate
 from ..reals.number_fields import in_one
 from ..rings.polynomials import by_degree
-from .roots import between, in_order, real_roots, roots_of_factor
+from .roots import between, in_order, real_roots, roots_of_polynomial
 
 Exponents = tuple[int, ...]
 Terms = Mapping[Exponents, fmpq]
@@ -57,14 +57,14 @@ class SphereCurve:
         change: one x tells it.
         """
         if not (degree := int(self.projected.degrees()[1])):
-            return [_above(x, S.Zero) for x in _real_roots(in_one(self.projected, 0))[:1]]
+            return [_above(x, S.Zero) for x in roots_of_polynomial(in_one(self.projected, 0))[:1]]
         parts = [in_one(part, 0) for part in by_degree(self.projected, 1, degree)]
         slope = self.projected.derivative(1)
         meeting = self.projected.resultant(slope, "y") if degree > 1 else slope
-        special = dict.fromkeys([*_real_roots(in_one(meeting, 0)), *_real_roots(parts[-1])])
+        special = dict.fromkeys([*roots_of_polynomial(in_one(meeting, 0)), *roots_of_polynomial(parts[-1])])
         for low, high in pairwise([-oo, *in_order(list(special)), oo]):
             x = between(low, high)
-            if found := _real_roots(fmpq_poly([part(to_flint(x)) for part in parts])):
+            if found := roots_of_polynomial(fmpq_poly([part(to_flint(x)) for part in parts])):
                 return [_above(x, found[0])]
         return []
 
@@ -184,10 +184,6 @@ def lifted(f: fmpq_mpoly) -> dict[Exponents, fmpq]:
             return {(int(a), int(b), n): c for n, part in enumerate((p, q))
                     for (a, b), c in part.to_dict().items()}
         p, q = (x / FLAT for x in above)
-
-
-def _real_roots(f: fmpq_poly) -> list[Expr]:
-    return [root for factor, _ in f.factor()[1] for root in roots_of_factor(factor)] if f else []
 
 
 def _above(x: Expr, y: Expr) -> tuple[Expr, ...]:

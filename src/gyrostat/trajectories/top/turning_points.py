@@ -6,6 +6,7 @@ from typing import Any
 from flint import acb, arb, arb_poly, ctx, fmpq, fmpq_poly
 from sympy import sqrt
 
+from ...algebra.rings.enclosed_roots import divided_by_root
 from ...algebra.solving.root_numbers import refuse_close
 from ...errors import AccuracyError, ScopeError
 from .level import Level, enclosed
@@ -91,19 +92,11 @@ def _of_polynomial(level: Level, g: Sequence[Any]) -> list[tuple[acb, int]]:
         return [(acb(x), m) for x, m in fmpq_poly(g).complex_roots()]
     left, poles = [enclosed(c) for c in g], []
     for side, m in zip((-1, 1), level.contact):
-        if m:
-            poles.append((acb(side * enclosed(level.square_radius).sqrt()), m))
+        pole = side * enclosed(level.square_radius).sqrt()
+        poles += [(acb(pole), m)] if m else []
         for _ in range(m):
-            left = _divided(left, side * enclosed(level.square_radius).sqrt())
+            left = divided_by_root(left, pole)
     return poles + [(x, 1) for x in _simple(arb_poly(left))]
-
-
-def _divided(coefficients: list[arb], root: arb) -> list[arb]:
-    """The quotient by x − root, by Horner's rule."""
-    quotient = [coefficients[-1]]
-    for c in coefficients[-2:0:-1]:
-        quotient.append(c + quotient[-1] * root)
-    return quotient[::-1]
 
 
 def _simple(polynomial: arb_poly) -> list[acb]:
