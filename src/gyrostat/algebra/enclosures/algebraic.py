@@ -4,7 +4,7 @@ import math
 from collections.abc import Iterable
 from functools import lru_cache
 
-from flint import arb, fmpz_poly
+from flint import arb, fmpq_poly, fmpz_poly
 from sympy import Add, CRootOf, Expr, Integer, Mul, Pow, Rational, cos, cot, csc, pi, sec, sin, tan, totient
 from sympy.polys import Poly
 
@@ -158,8 +158,12 @@ def _isolated(root: CRootOf, precision: int) -> arb:
 def _real_roots(polynomial: Poly, precision: int) -> list[arb]:
     """All of a polynomial, as to isolate one is to isolate them."""
     with own_precision(precision):
-        found = _polynomial(polynomial).complex_roots()
-    return sorted((x.real for x, _ in found if x.imag == 0), key=arb.mid)
+        return isolated_roots(_polynomial(polynomial))
+
+
+def isolated_roots(polynomial: fmpz_poly | fmpq_poly) -> list[arb]:
+    """The different real roots of a polynomial, isolated, from below, at the precision that is set."""
+    return sorted((x.real for x, _ in polynomial.complex_roots() if x.imag == 0), key=arb.mid)
 
 
 def _at(polynomial: fmpz_poly, x: arb) -> arb:

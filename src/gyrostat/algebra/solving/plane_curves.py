@@ -12,7 +12,7 @@ from sympy import Expr, S, Symbol
 
 from ..._cached import cached_property
 from ...errors import ScopeError
-from ..enclosures.algebraic import is_algebraic
+from ..enclosures.algebraic import is_algebraic, isolated_roots
 from ..enclosures.balls import ball, dyadic, interval
 from ..enclosures.precision import own_precision
 from ..enclosures.rationals import to_flint, to_sympy
@@ -233,8 +233,7 @@ class PlaneCurve:
         if self.rational:
             at = [fmpq(0)] * len(self.ring.generators)
             at[self.place[1]] = to_flint(t)
-            real = [x.real for x, _ in fmpq_poly([part(*at) for part in parts]).complex_roots()
-                    if x.imag == 0]
+            real = isolated_roots(fmpq_poly([part(*at) for part in parts]))
         else:
             here = interval(t)
             try:
