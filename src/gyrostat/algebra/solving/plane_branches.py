@@ -10,7 +10,7 @@ from sympy import Expr, Rational, Symbol, oo
 
 from ...errors import ScopeError
 from ..enclosures.balls import ball
-from ..enclosures.precision import own_precision
+from ..enclosures.precision import doubled, own_precision
 from ..enclosures.rationals import to_flint
 from ..reals.number_fields import in_one
 from ..rings.enclosed_roots import divided_by_root
@@ -106,8 +106,7 @@ def _folds(curve: PlaneCurve, at: Expr, double: Sequence[Expr], count: int) -> l
     So many pairs of roots come or go there, each at a multiple root. All that balls do not exclude are so
     many; divided by (x − x0)² for each the polynomial has none of them left, and they are double.
     """
-    precision = 256
-    while precision <= FINEST:
+    for precision in doubled(256, FINEST):
         with own_precision(precision):
             t0 = ball(at, precision)
             parts = [arb_poly(part)(t0) for part in _in_x(curve)]
@@ -123,7 +122,6 @@ def _folds(curve: PlaneCurve, at: Expr, double: Sequence[Expr], count: int) -> l
                 others = _isolated(parts, 2.0 ** -min(precision // 4, LEAST))
                 if others is not None and not any(x.overlaps(near[x0]) for x in others for x0 in left):
                     return [(x0, sum(bool(x < near[x0]) for x in others)) for x0 in left]
-        precision *= 2
     raise _untold(curve, at)
 
 

@@ -14,7 +14,7 @@ from ..._cached import cached_property
 from ...algebra.enclosures.balls import ball
 from ...algebra.enclosures.double_double import Twofold
 from ...algebra.enclosures.floats import Array
-from ...algebra.enclosures.precision import own_precision
+from ...algebra.enclosures.precision import doubled, own_precision
 from ...algebra.reals.exact import proved_sign
 from ...algebra.text.numbers import shown
 from ...errors import AccuracyError, ValuesError
@@ -44,13 +44,11 @@ def decided(constant: Expr, what: str) -> int:
 def accurate(compute: Callable[[int], list[arb]], bits: int) -> list[arb]:
     """Enclosures of at least so many correct bits each, by doubling the precision at which they are computed.
     """
-    precision = bits + 64
-    while precision <= MOST:
+    for precision in doubled(bits + 64, MOST):
         with own_precision(precision):
             found = compute(precision)
         if all(x == 0 or x.rel_accuracy_bits() >= bits for x in found):
             return found
-        precision *= 2
     raise AccuracyError(f"{MOST} bits do not give {bits} correct ones: the motion is too close to a "
                         "separatrix; give other numbers")
 
