@@ -1,6 +1,6 @@
 """Ball arithmetic: enclosures of expressions to any precision, and the fractions that describe them."""
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from fractions import Fraction
 from functools import lru_cache
 from types import MappingProxyType
@@ -15,7 +15,7 @@ from .rationals import to_flint
 
 FARTHEST = 8192                                        # bits at which a number is told from 0
 NOTHING: Mapping[Symbol, arb] = MappingProxyType({})
-_FUNCTIONS = {name: getattr(arb, name) for name in (
+FUNCTIONS: dict[str, Callable[[arb], arb]] = {name: getattr(arb, name) for name in (
     "exp", "log", "sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "asinh", "acosh",
     "atanh")}
 
@@ -86,7 +86,7 @@ def _ball(node: Expr, values: Mapping[Symbol, arb]) -> arb:
         return real_root(node, ctx.prec)
     if isinstance(node, Enclosed):
         return node.enclosed(ctx.prec)
-    if type(node).__name__ in _FUNCTIONS and len(node.args) == 1:
+    if type(node).__name__ in FUNCTIONS and len(node.args) == 1:
         return _function(node, values) if values else _constant(node, ctx.prec)
     return arb("nan")
 
@@ -98,7 +98,7 @@ def _constant(node: Expr, precision: int) -> arb:
 
 
 def _function(node: Expr, values: Mapping[Symbol, arb]) -> arb:
-    return _FUNCTIONS[type(node).__name__](_ball(node.args[0], values))
+    return FUNCTIONS[type(node).__name__](_ball(node.args[0], values))
 
 
 def _power(node: Pow, values: Mapping[Symbol, arb]) -> arb:

@@ -3,7 +3,6 @@ import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial, reduce
-from types import MappingProxyType
 from typing import Any, NamedTuple
 
 import sympy
@@ -11,23 +10,20 @@ from flint import arb
 from sympy import Add, Expr, I, Mul, Pow, Rational, S, Symbol, cot, tan
 
 from ..enclosures.arithmetic import Arithmetic, in_arithmetic
-from ..enclosures.balls import Enclosed, ball
+from ..enclosures.balls import NOTHING, Enclosed, ball
 from ..rings.subexpressions import occurring
 from . import magnitudes
 
-FUNCTIONS: dict[str, Callable[[Expr], Expr]] = {name: getattr(sympy, name) for name in (
-    "sqrt", "exp", "log", "sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "asinh",
-    "acosh", "atanh")}
-NOTHING: Mapping[Symbol, arb] = MappingProxyType({})
+FUNCTIONS: dict[str, Callable[[Expr], Expr]] = {
+    name: getattr(sympy, name) for name in ("sqrt", *magnitudes.FUNCTIONS)}
 TERMS, DEGREE, BITS, NESTING = 1000, 100, 4000, 4
 HYPERBOLIC, PARTIAL = ("sinh", "cosh", "tanh"), 8
-_EXPONENTIAL, _LOGARITHMIC, _SOMEWHERE = ("exp", "sinh",
-                                          "cosh"), ("log", "asinh",
-                                                    "acosh"), ("log", "asin", "acos", "acosh", "atanh")
+_EXPONENTIAL, _LOGARITHMIC = ("exp", "sinh", "cosh"), ("log", "asinh", "acosh")
+_SOMEWHERE = ("log", "asin", "acos", "acosh", "atanh")
 _INVERSE = tuple(FUNCTIONS[name] for name in ("asin", "acos", "atan", "asinh", "acosh", "atanh"))
 _FOREIGN = (I, S.NaN, S.ComplexInfinity, S.Infinity, S.NegativeInfinity, sympy.Mod, sympy.floor,
-            sympy.ceiling, sympy.re, sympy.im,
-            sympy.arg, sympy.sign, sympy.conjugate, sympy.Piecewise, sympy.AccumBounds)
+            sympy.ceiling, sympy.re, sympy.im, sympy.arg, sympy.sign, sympy.conjugate, sympy.Piecewise,
+            sympy.AccumBounds)
 
 
 class Cost(NamedTuple):
@@ -77,7 +73,7 @@ class Part:
 
 def constant(value: Rational) -> Part:
     """A rational number."""
-    return Part(value, of_number(value), 0, magnitudes.number(value))
+    return Part(value, of_number(value), 0, ball(value, magnitudes.PRECISION))
 
 
 def of_number(value: Rational) -> Cost:
@@ -196,13 +192,9 @@ def enclosure(expression: Expr, known: Mapping[Symbol, arb] = NOTHING) -> arb | 
     def leaf(node: Expr) -> arb | None:
         if isinstance(node, Symbol):
             return known.get(node)
-        if isinstance(node, Rational):
-            return magnitudes.number(node)
-        if isinstance(node, Enclosed):
+        if isinstance(node, Rational | Enclosed) or node in (S.Pi, S.Exp1):
             return ball(node, magnitudes.PRECISION)
-        if node is S.Pi:
-            return magnitudes.pi()
-        return magnitudes.applied("exp", magnitudes.number(S.One)) if node is S.Exp1 else NotImplemented
+        return NotImplemented
 
     return in_arithmetic(expression, Arithmetic(leaf, partial(reduce, magnitudes.added),
                                                 partial(reduce, magnitudes.multiplied), _raised, _applied))

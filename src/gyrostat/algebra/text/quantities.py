@@ -99,7 +99,7 @@ class _Quantity(Parser):
     def quantity(self) -> tuple[Expr, Dimension | None]:
         """The expression in SI, and the dimension of what has a unit."""
         value = self.sum().value
-        if self.place == len(self.tokens):
+        if not self.peek():
             return value, None
         if self.tokens[self.place][0] != "name" or value.free_symbols:
             self.fail(f"{self.peek()!r} comes where an operator or the end should be",
@@ -115,7 +115,7 @@ class _Quantity(Parser):
             power = sign * (self.exponent() if self.take("**") else 1)
             factor *= Pow(size, power)
             powers = [p + power * d for p, d in zip(powers, dimension)]
-            if self.place == len(self.tokens):
+            if not self.peek():
                 return factor, Dimension(*powers)
             sign = -1 if self.take("/") else 1
             if sign == 1:
@@ -123,7 +123,7 @@ class _Quantity(Parser):
         self.fail(f"it has more than {FACTORS} units", "write it in fewer")
 
     def unit(self) -> tuple[Expr, Dimension]:
-        kind, name = self.tokens[self.place] if self.place < len(self.tokens) else ("end", "")
+        kind, name = self.tokens[self.place]
         found = unit(name) if kind == "name" else None
         if found is None:
             self.fail(f"{name!r} is no unit" if name else "it ends too early",
@@ -135,7 +135,7 @@ class _Quantity(Parser):
     def exponent(self) -> int:
         """A whole number, or one in parentheses."""
         wrapped, sign = self.take("("), -1 if self.take("-") else 1
-        kind, token = self.tokens[self.place] if self.place < len(self.tokens) else ("end", "")
+        kind, token = self.tokens[self.place]
         if kind != "number" or not token.isdecimal() or int(token[:4]) > POWER:
             self.fail(f"the power {token!r} of a unit is no whole number up to {POWER}", "write m^2")
         self.place += 1
