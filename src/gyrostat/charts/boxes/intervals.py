@@ -22,9 +22,18 @@ PRECISION = 64
 class Enclosure:
     """Bounds of a quantity, an entry for each box; (−∞, ∞) where nothing is known, never NaN.
 
+    Sums and products are rounded outward, but where a sum, or a product of short numbers, is exact.
+
     Parameters
     ----------
     low, high : array, shape (boxes,) or ()
+
+    Examples
+    --------
+    >>> from sympy import Rational
+    >>> one = enclosed(Rational(3)) * enclosed(Rational(1, 3))
+    >>> bool(one.low < 1 < one.high)
+    True
     """
 
     low: Array
@@ -45,6 +54,32 @@ class Enclosure:
         """What two enclosures of one quantity say together."""
         return Enclosure(np.maximum(self.low, other.low), np.minimum(self.high, other.high))
 
+    def __add__(self, other: "Enclosure") -> "Enclosure":
+        (low, low_exact), (high, high_exact) = _sum(self.low, other.low), _sum(self.high, other.high)
+        return outward(low, high, low_exact, high_exact)
+
+    def __neg__(self) -> "Enclosure":
+        return Enclosure(-self.high, -self.low)
+
+    def __sub__(self, other: "Enclosure") -> "Enclosure":
+        return self + -other
+
+    def __mul__(self, other: "Enclosure") -> "Enclosure":
+        """The product; of one and the same quantity the square, which is not negative."""
+        exact = self.short & other.short
+        if self is other:
+            ends = self.low * self.low, self.high * self.high
+            square = outward(np.minimum(*ends), np.maximum(*ends), exact, exact)
+            return Enclosure(np.where(self.apart, np.maximum(square.low, 0), 0.0), square.high)
+        products = self.low * other.low, self.low * other.high, self.high * other.low, self.high * other.high
+        low, high = (bound(bound(*products[:2]), bound(*products[2:])) for bound in (np.minimum, np.maximum))
+        return outward(low, high, exact, exact)
+
+    def reciprocal(self) -> "Enclosure":
+        """1/x, the whole line where 0 is not excluded."""
+        inverse, apart = outward(1 / self.high, 1 / self.low), self.apart
+        return Enclosure(np.where(apart, inverse.low, -np.inf), np.where(apart, inverse.high, np.inf))
+
 
 def outward(low: Array, high: Array, low_exact: Array | bool = False,
              high_exact: Array | bool = False) -> Enclosure:
@@ -52,10 +87,8 @@ def outward(low: Array, high: Array, low_exact: Array | bool = False,
 
     The whole line where an operation was undefined.
     """
-    low, high = (
-        np.where(low_exact, low, np.nextafter(low, -np.inf)),
-        np.where(high_exact, high, np.nextafter(high, np.inf)),
-    )
+    low = np.where(low_exact, low, np.nextafter(low, -np.inf))
+    high = np.where(high_exact, high, np.nextafter(high, np.inf))
     return Enclosure(np.where(np.isnan(low), -np.inf, low), np.where(np.isnan(high), np.inf, high))
 
 
@@ -68,52 +101,6 @@ def _sum(a: Array, b: Array) -> tuple[Array, Array]:
     return total, error == 0
 
 
-class Outward:
-    """The arithmetic of enclosures, for straight-line programs.
-
-    Exact where a sum, or a product of short numbers, is exact.
-
-    Examples
-    --------
-    >>> third = enclosed(Rational(1, 3))
-    >>> one = Outward.multiply(enclosed(Rational(3)), third)
-    >>> bool(one.low < 1 < one.high)
-    True
-    """
-
-    @staticmethod
-    def add(a: Enclosure, b: Enclosure) -> Enclosure:
-        (low, low_exact), (high, high_exact) = _sum(a.low, b.low), _sum(a.high, b.high)
-        return outward(low, high, low_exact, high_exact)
-
-    @staticmethod
-    def subtract(a: Enclosure, b: Enclosure) -> Enclosure:
-        return Outward.add(a, Outward.negative(b))
-
-    @staticmethod
-    def negative(a: Enclosure) -> Enclosure:
-        return Enclosure(-a.high, -a.low)
-
-    @staticmethod
-    def multiply(a: Enclosure, b: Enclosure) -> Enclosure:
-        """The product; of one and the same quantity the square, which is not negative."""
-        exact = a.short & b.short
-        if a is b:
-            one, other = a.low * a.low, a.high * a.high
-            square = outward(np.minimum(one, other), np.maximum(one, other), exact, exact)
-            return Enclosure(np.where(a.apart, np.maximum(square.low, 0), 0.0), square.high)
-        products = a.low * b.low, a.low * b.high, a.high * b.low, a.high * b.high
-        low, high = (bound(bound(*products[:2]), bound(*products[2:])) for bound in (np.minimum, np.maximum))
-        return outward(low, high, exact, exact)
-
-    @staticmethod
-    def reciprocal(a: Enclosure) -> Enclosure:
-        """1/x, the whole line where 0 is not excluded."""
-        inverse = outward(1 / a.high, 1 / a.low)
-        apart = a.apart
-        return Enclosure(np.where(apart, inverse.low, -np.inf), np.where(apart, inverse.high, np.inf))
-
-
 @lru_cache(maxsize=4096)
 def rounded(number: Expr) -> tuple[float, float]:
     """The greatest float that is not above an exact real number and the least that is not below it, infinite
@@ -121,7 +108,7 @@ def rounded(number: Expr) -> tuple[float, float]:
 
     Examples
     --------
-    >>> from sympy import S, sqrt
+    >>> from sympy import Rational, S, sqrt
     >>> rounded(S.Half), rounded(sqrt(2)), rounded(Rational(10)**400)
     ((0.5, 0.5), (1.414213562373095, 1.4142135623730951), (1.7976931348623157e+308, inf))
     """

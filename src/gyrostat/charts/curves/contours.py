@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from sympy import Expr, Rational, Symbol
 
-from ...algebra.enclosures.double_double import Twofold, TwofoldArithmetic
+from ...algebra.enclosures.double_double import Twofold
 from ...algebra.enclosures.floats import Array, in_floats
 from ..signs.compiled_margins import compile_margin
 from ..signs.rounding import error_bound
@@ -182,5 +182,5 @@ def _sign(program: Program, arrays: Mapping[Symbol, Array]) -> Array:
         return Twofold(np.float64(near), np.float64(float(value - Rational(near))))
 
     with np.errstate(all="ignore"):
-        high, low = program.run(leaf, constant, TwofoldArithmetic)[-1]
-        return np.sign(np.where(high != 0, high, low))
+        found = program.run(leaf, constant)[-1]
+        return np.sign(np.where(found.high != 0, found.high, found.low))

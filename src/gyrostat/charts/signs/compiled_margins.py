@@ -222,4 +222,4 @@ def _in_namespace(margin: Expr, xp: ModuleType, given: Mapping[str, Any]) -> Any
     axes = {s: frozenset(i + dimensions - a.ndim for i, n in enumerate(a.shape) if n != 1)
             for s, a in arrays.items()}
     return program_of(margin, axes).run(lambda leaf: in_floats(leaf, xp, arrays),
-                                        lambda c: xp.asarray(rounded(c)[0], dtype=kind), xp)[-1]
+                                        lambda c: xp.asarray(rounded(c)[0], dtype=kind))[-1]

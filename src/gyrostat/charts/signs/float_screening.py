@@ -1,13 +1,12 @@
 """A list of points screened by floats: one look at its columns, after which few points are left."""
-import operator
 from collections.abc import Iterable, Sequence
 from itertools import chain
-from types import SimpleNamespace
 
 import numpy as np
 from sympy import Expr, Symbol
 
 from ...algebra.enclosures.floats import Array
+from ...algebra.rings.polynomials import Ring
 from ...stability.report.report import Report
 from ..grids import Grid, Slices, cut
 from .block_writing import NUMBA_BLOCK, NUMPY_BLOCK
@@ -18,7 +17,6 @@ from .verdicts_in_blocks import Decided, Demands
 
 SAMPLE, ROOM = 64, 1.5                                 # numbers of a column that tell how large most are
 HIGHEST = 32                                           # degree up to which a bound has room for larger ones
-_DEGREES = SimpleNamespace(add=max, subtract=max, multiply=operator.add, negative=abs)
 
 
 class Screen:
@@ -40,7 +38,7 @@ class Screen:
     def __init__(self, report: Report, grid: Grid, demands: Demands):
         self.report, self.grid = report, grid
         assert demands.alone is not None
-        degree = program_of(demands.alone, grid.axes).run(lambda leaf: 1, lambda c: 0, _DEGREES)[-1]
+        degree = Ring([demands.alone]).numerator(demands.alone).total_degree()
         largest = {s: _largest(a, degree <= HIGHEST) for s, a in grid.values.items()}
         tests = [*((e, "{0} > {1}") for e in demands.positive),
                  *((e, "abs({0}) > {1}") for e in demands.nonzero),

@@ -2,10 +2,8 @@
 
 Floats with a proved bound, then whole numbers; with functions or exact numbers balls, and rationals.
 """
-import operator
 from functools import lru_cache
 from math import isfinite
-from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -27,8 +25,7 @@ from .tiles import Tiles
 UNKNOWN = 2                                            # no sign is proved
 TOGETHER = 2**14                                       # points, of which all steps fit a cache
 PRECISION = 128                                        # bits of the first balls
-_BALLS = SimpleNamespace(add=operator.add, subtract=operator.sub, multiply=operator.mul,
-                         negative=operator.neg)
+
 # of a function computed in balls and rounded to a double
 _ROUNDINGS = 2
 
@@ -147,7 +144,7 @@ class ArraySigns:
     def _bounded(self, leaves: dict[Any, Array], points: int) -> tuple[Array, Array]:
         """Signs that doubles prove with a bound for each point in a row, 0 elsewhere; and the bounds."""
         program = self.tiles.program
-        computed: list[Any] = program.run(leaves.__getitem__, lambda c: np.full(1, rounded(c)[0]), np)
+        computed: list[Any] = program.run(leaves.__getitem__, lambda c: np.full(1, rounded(c)[0]))
         bound = error_bound(program, {leaf: np.abs(x) for leaf, x in leaves.items()},
                             _roundings(program, self.grid), computed)
         signs = np.greater(computed[-1], bound).astype(np.int8) - np.less(computed[-1], -bound)
@@ -175,7 +172,7 @@ class ExactSign:
             values = dict(zip(self.symbols, map(_ball_of, numbers)))
             enclosure = self.program.run(lambda leaf: values[leaf] if leaf in values
                                          else ball(leaf, PRECISION, values),
-                                         lambda c: arb(to_flint(c)), _BALLS)[-1]
+                                         lambda c: arb(to_flint(c)))[-1]
         if enclosure > 0 or enclosure < 0:
             return 1 if enclosure > 0 else -1
         if self.polynomial is None or not all(isinstance(x, (float, Rational)) for x in numbers):
