@@ -50,6 +50,16 @@ class Grid:
         """Axes of the merged grid along which each symbol varies."""
         return {s: frozenset(i for i, n in enumerate(a.shape) if n > 1) for s, a in self.values.items()}
 
+    @cached_property
+    def full(self) -> Axes:
+        """Axes of the merged grid along which it has more than one point."""
+        return frozenset(i for i, n in enumerate(self.merged) if n > 1)
+
+    @property
+    def whole(self) -> Slices:
+        """All of the merged grid as one block."""
+        return tuple(slice(0, n) for n in self.merged)
+
     def strange(self, name: Symbol) -> Array | None:
         """Where the numbers of a name are NaN or infinite, None: nowhere."""
         if name in self.exact:

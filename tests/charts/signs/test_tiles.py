@@ -35,9 +35,8 @@ def whole_numbers(input_shapes, seed):
 
 
 def tiles_over(grid, kind=np.float64):
-    full = frozenset(i for i, n in enumerate(grid.merged) if n > 1)
-    return Tiles(program_of(margin(), grid.axes), full, lambda leaf, block: cut(grid.values[leaf], block),
-                 kind)
+    program = program_of(margin(), grid.axes)
+    return Tiles(program, grid.full, lambda leaf, block: cut(grid.values[leaf], block), kind)
 
 
 def block_by_block(grid, points, kind=np.float64, into=False):

@@ -100,9 +100,8 @@ def _resonance(plane: Plane, oscillates: Condition, factor: Expr, held: Array) -
     def zeros_between(good: Array, bad: Array) -> Array:
         found = zeros(sign_of(factor, plane.x[0], plane.y[0]), good, bad)
         grid = plane.grid(*found)
-        whole = tuple(slice(0, n) for n in grid.merged)
         with np.errstate(all="ignore"):
-            inside = np.broadcast_to(Decided(plane.report, grid, "numpy").open(whole), grid.merged)[0]
+            inside = np.broadcast_to(Decided(plane.report, grid, "numpy").open(grid.whole), grid.merged)[0]
             return np.where(inside & (signs_in_row(oscillates, grid) == 1), found, np.nan)
 
     return _on_edges(plane, np.where(held, signs_of(factor, plane.x, plane.y), np.nan), zeros_between)

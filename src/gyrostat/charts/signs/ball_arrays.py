@@ -126,12 +126,16 @@ class BallArray:
         return np.asarray(self.middle > self.radius)
 
 
+def near(doubles: Any, exact: bool) -> BallArray:
+    """Numbers that are doubles, or whose rounding these are."""
+    return BallArray(doubles, None if exact else np.asarray(abs(doubles) * SUM + TINY))
+
+
 def _ball(x: Any) -> BallArray:
     """A number as a ball; a fraction that is no double with what is lost."""
     if isinstance(x, BallArray):
         return x
     if isinstance(x, fmpq):
-        near = int(x.p) / int(x.q)
-        exact = to_flint(near) == x
-        return BallArray(near, None if exact else np.asarray(abs(near) * SUM + TINY))
+        value = int(x.p) / int(x.q)
+        return near(value, to_flint(value) == x)
     return BallArray(float(x) if not isinstance(x, complex) else x)

@@ -18,11 +18,8 @@ from ...errors import ValuesError
 
 def read_entry(name: str, value: Any, kind: Any, finite: bool) -> tuple[Array, Array | None]:
     """Floats, and the exact numbers where a float is not one."""
-    if (
-        isinstance(value, (str, Decimal, Fraction, Expr))
-        or isinstance(value, int)
-        and not isinstance(value, bool)
-    ):
+    if isinstance(value, str | Decimal | Fraction | Expr) or (
+            isinstance(value, int) and not isinstance(value, bool)):
         value = np.array(exact_number(value, name), dtype=object)
     if isinstance(value, range) and len(value) > MOST:
         raise ValuesError(f"{name} has {len(value)} values: give at most {MOST}, or an array of NumPy")
@@ -34,11 +31,8 @@ def read_entry(name: str, value: Any, kind: Any, finite: bool) -> tuple[Array, A
         raise ValuesError(f"{name} is a sequence of sequences that differ in length: give rows of one "
                           "length") from None
     if array.dtype.kind in "iu":
-        array = (
-            array.astype(object)
-            if array.size and max(abs(int(array.min())), abs(int(array.max()))) > 2**53
-            else array.astype(kind)
-        )
+        long = array.size and max(abs(int(array.min())), abs(int(array.max()))) > 2**53
+        array = array.astype(object if long else kind)
     if array.dtype.kind == "f" and array.dtype.itemsize <= 8:
         if finite and not all_finite(array):
             where = tuple(int(i) for i in np.argwhere(~np.isfinite(array))[0])
@@ -65,6 +59,13 @@ def read_entry(name: str, value: Any, kind: Any, finite: bool) -> tuple[Array, A
 def all_finite(array: Array) -> bool:
     """Whether an array of floats has no NaN and no infinity, found without another array."""
     return not array.size or bool(np.isfinite(array.min()) and np.isfinite(array.max()))
+
+
+def largest_size(array: Array) -> float:
+    """The size of the largest number of an array, NaN aside, found without another array."""
+    if not array.size:
+        return 0.0
+    return float(np.fmax(np.fmax.reduce(array, axis=None), -np.fmin.reduce(array, axis=None)))
 
 
 def _near(number: Expr | float) -> float:

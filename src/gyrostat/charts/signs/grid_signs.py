@@ -17,7 +17,8 @@ from ...algebra.enclosures.rationals import to_flint, to_sympy
 from ...algebra.reals.exact import compiled, sign
 from ..grids import Grid, Slices, cut, places
 from .dyadic import dyadic_signs
-from .kernels import Kernel
+from .given_columns import largest_size
+from .kernels import SIGN, Kernel
 from .rounding import error_bound, rounded
 from .straightline import Program, program_of
 from .tiles import Tiles
@@ -47,17 +48,16 @@ class ArraySigns:
 
     def __init__(self, expression: Expr, grid: Grid, backend: str, spent: list[float]):
         self.expression, self.grid = expression, grid
-        full = frozenset(i for i, n in enumerate(grid.merged) if n > 1)
         program = program_of(expression, grid.axes)
-        self.tiles = Tiles(program, full, self._read)
-        self.kernel = Kernel(self.tiles, "sign", spent) if backend == "numba" and self.tiles.inner else None
+        self.tiles = Tiles(program, grid.full, self._read)
+        self.kernel = Kernel(self.tiles, SIGN, spent) if backend == "numba" and self.tiles.inner else None
         with ONE_AT_A_TIME:
             largest = {leaf: self._largest(leaf) for leaf in program.leaves}
         self.whole_numbers = _in_whole_numbers(program, grid)
         self.bound = float(error_bound(program, largest, _roundings(program, grid)))
         self.kept: tuple[Any, Array] | None = None
         self.sufficed = False                          # whether the one bound was enough in the last block
-        self.whole = program.steps[-1].axes == full
+        self.whole = program.steps[-1].axes == grid.full
         self.shape = tuple(n if i in program.steps[-1].axes else 1 for i, n in enumerate(grid.merged))
 
     def _read(self, leaf: Expr, block: Slices) -> Array:
@@ -69,18 +69,11 @@ class ArraySigns:
 
         Of a function that varies along all axes nothing is known beforehand.
         """
-        arrays = _arrays(leaf, self.grid)
-        if (
-            not isinstance(leaf, Symbol)
-            and frozenset().union(*(self.grid.axes[s] for s in arrays)) == self.tiles.full
-        ):
-            return float("inf") if self.tiles.full else abs(_floats(leaf, arrays).item())
-        values = _floats(leaf, arrays)
-        return (
-            float(np.fmax(np.fmax.reduce(values, axis=None), -np.fmin.reduce(values, axis=None)))
-            if values.size
-            else 0.0
-        )
+        arrays, full = _arrays(leaf, self.grid), self.grid.full
+        along = frozenset().union(*(self.grid.axes[s] for s in arrays))
+        if full and along == full and not isinstance(leaf, Symbol):
+            return float("inf")
+        return largest_size(_floats(leaf, arrays))
 
     def __call__(self, block: Slices, out: Array | None = None) -> Array:
         """The signs in a block, of as many rows and columns as the expression varies along.
@@ -181,6 +174,11 @@ class ExactSign:
         given = dict(zip(self.symbols, map(to_flint, numbers)))
         value = self.polynomial[1](*(given[s] for s in self.polynomial[0]))
         return 1 if value > 0 else -1 if value < 0 else 0
+
+
+def may_vanish(signs: Array) -> Array:
+    """Where it is not proved that a sign is not 0."""
+    return (signs == 0) | (signs == UNKNOWN)
 
 
 def dyadic_rational(x: float | Expr) -> Expr:
