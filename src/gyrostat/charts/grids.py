@@ -94,14 +94,9 @@ class Grid:
 
     def at(self, block: Slices, rows: Array, columns: Array) -> "Grid":
         """The points at these rows and columns of a block, in a row."""
-        def gathered(array: Array) -> Array:
-            here = last(cut(array, block))
-            if here.size > 1:                              # an axis along which it is constant has one place
-                here = here[rows if here.shape[0] > 1 else 0, columns if here.shape[1] > 1 else 0]
-            return here.reshape(1, -1)
-
         count = len(rows)
-        return Grid((count,), (1, count), *({s: gathered(a) for s, a in arrays.items()}
+        return Grid((count,), (1, count), *({s: gathered(last(cut(a, block)), rows, columns).reshape(1, -1)
+                                             for s, a in arrays.items()}
                                             for arrays in (self.values, self.exact)))
 
     def numbers(self, symbols: Collection[Symbol]) -> Iterable[tuple[Any, ...]]:
@@ -118,6 +113,13 @@ class Grid:
 def cut(array: Array, block: Slices) -> Array:
     """The part of an array in a block."""
     return array[tuple(s if n > 1 else slice(None) for s, n in zip(block, array.shape))]
+
+
+def gathered(array: Array, rows: Array, columns: Array) -> Array:
+    """Entries of rows and columns in a row; an axis along which the array is constant has one place."""
+    if array.size > 1:
+        array = array[rows if array.shape[0] > 1 else 0, columns if array.shape[1] > 1 else 0]
+    return array.reshape(-1)
 
 
 def places(where: Array) -> tuple[Array, Array]:

@@ -96,7 +96,7 @@ def _conjugates(node: Expr) -> tuple[float, float, int] | None:
     if isinstance(node, Rational):
         return math.log2(abs(int(node.p)) or 1), 0.0, int(node.q)
     if isinstance(node, CRootOf):
-        coefficients = [abs(int(c)) for c in _polynomial(node.poly).coeffs()]
+        coefficients = [abs(int(c)) for c in over_integers(node.poly).coeffs()]
         return math.log2(coefficients[-1] + max(coefficients)), 0.0, coefficients[-1]
     if isinstance(node, TURNS) and turn(node) is None:
         return None
@@ -135,7 +135,7 @@ def real_root(root: CRootOf, precision: int) -> arb:
     By Newton's method from one of half as many bits.
     """
     near = real_root(root, precision // 2) if precision > 128 else _isolated(root, precision)
-    polynomial, slope = _polynomial(root.poly), _polynomial(root.poly).derivative()
+    polynomial, slope = over_integers(root.poly), over_integers(root.poly).derivative()
     with own_precision(precision + 32):
         while near.rad():
             middle = arb(near.mid())
@@ -158,7 +158,7 @@ def _isolated(root: CRootOf, precision: int) -> arb:
 def _real_roots(polynomial: Poly, precision: int) -> list[arb]:
     """All of a polynomial, as to isolate one is to isolate them."""
     with own_precision(precision):
-        return isolated_roots(_polynomial(polynomial))
+        return isolated_roots(over_integers(polynomial))
 
 
 def isolated_roots(polynomial: fmpz_poly | fmpq_poly) -> list[arb]:
@@ -175,5 +175,6 @@ def _at(polynomial: fmpz_poly, x: arb) -> arb:
 
 
 @lru_cache(maxsize=256)
-def _polynomial(polynomial: Poly) -> fmpz_poly:
+def over_integers(polynomial: Poly) -> fmpz_poly:
+    """A polynomial over ℚ without its denominators."""
     return fmpz_poly([int(c) for c in reversed(polynomial.clear_denoms(convert=True)[1].all_coeffs())])

@@ -5,6 +5,7 @@ exp(k3). A square root and a sine carry a relation, g² = …, by which everythi
 one denominator, so that no fraction is ever simplified on the way.
 """
 from collections.abc import Iterable, Sequence, Set
+from functools import reduce
 from typing import Any
 
 from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
@@ -78,8 +79,6 @@ class Ring:
             factors = [self.fraction(part) for part in node.args]
         elif isinstance(node, Pow) and isinstance(node.exp, Integer):
             factors = [_power(self.fraction(node.base), int(node.exp))]
-        elif isinstance(node, Pow) and isinstance(node.exp, Rational) and node.exp.q == 2:
-            factors = [_power(self._known(Pow(node.base, Rational(1, 2))), int(node.exp.p))]
         elif isinstance(node, Pow) and isinstance(node.exp, Rational):
             factors = [_power(self._known(Pow(node.base, Rational(1, node.exp.q))), int(node.exp.p))]
         elif isinstance(node, exp):
@@ -102,9 +101,7 @@ class Ring:
         return self._memo[node]
 
     def _add(self, parts: list[tuple[fmpq_mpoly, fmpq_mpoly]]) -> tuple[fmpq_mpoly, fmpq_mpoly]:
-        bottom = self.one
-        for _, denominator in parts:
-            bottom = lcm(bottom, denominator)
+        bottom = reduce(lcm, (denominator for _, denominator in parts), self.one)
         return sum((top * (bottom / denominator) for top, denominator in parts), self.zero), bottom
 
     def reduce(self, polynomial: fmpq_mpoly) -> fmpq_mpoly:
@@ -117,10 +114,7 @@ class Ring:
     def matrix(self, rows: Sequence[Sequence[Expr]]) -> tuple[list[Row], fmpq_mpoly]:
         """Reduced polynomial entries over their least common denominator."""
         entries = [[self.fraction(entry) for entry in row] for row in rows]
-        bottom = self.one
-        for row in entries:
-            for _, denominator in row:
-                bottom = lcm(bottom, denominator)
+        bottom = reduce(lcm, (denominator for row in entries for _, denominator in row), self.one)
         return [[self.reduce(top if denominator == bottom else top * (bottom / denominator))
                  for top, denominator in row] for row in entries], bottom
 

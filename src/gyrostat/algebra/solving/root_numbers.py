@@ -13,7 +13,7 @@ from sympy.polys.domains import QQ, ZZ
 from sympy.polys.rootisolation import RealInterval
 
 from ...errors import ScopeError
-from ..enclosures.algebraic import isolated_roots
+from ..enclosures.algebraic import isolated_roots, over_integers
 from ..enclosures.balls import ends
 from ..enclosures.precision import own_precision
 
@@ -44,7 +44,7 @@ def roots_of(coefficients: Sequence[Rational]) -> list[Expr]:
     """
     unit = Rational(10) ** _order(coefficients[0] / coefficients[-1], len(coefficients) - 1)
     near = Poly([a * unit**n for n, a in enumerate(coefficients)][::-1], Symbol("x"))
-    whole = fmpz_poly([int(c) for c in reversed(near.clear_denoms(convert=True)[1].all_coeffs())])
+    whole = over_integers(near)
     refuse_close(whole)
     found = [CRootOf(near, n) for n in range(len(isolated_roots(whole)))]
     for root in {root for number in found for root in number.atoms(CRootOf)}:
@@ -88,8 +88,7 @@ def _lend(poly: PurePoly) -> None:
     known = rootoftools._reals_cache
     if poly in known:
         return
-    coefficients = poly.rep.to_list()
     with own_precision(BITS):
-        roots = isolated_roots(fmpz_poly([int(c) for c in reversed(coefficients)]))
-    known[poly] = [RealInterval(tuple(QQ(x.numerator, x.denominator) for x in ends(root)), coefficients, ZZ)
-                   for root in roots]
+        roots = isolated_roots(over_integers(poly))
+    known[poly] = [RealInterval(tuple(QQ(x.numerator, x.denominator) for x in ends(root)), poly.rep.to_list(),
+                                ZZ) for root in roots]

@@ -62,8 +62,7 @@ def sharpened(expression: Expr, natural: Enclosure, box: Box,
     with np.errstate(all="ignore"):
         for name, slope in slopes.items():
             mean = mean + slope * (box[name] - middle[name])
-    defined = np.isfinite(natural.low) & np.isfinite(natural.high)
-    return natural & Enclosure(np.where(defined, mean.low, -np.inf), np.where(defined, mean.high, np.inf))
+    return natural & mean.where(np.isfinite(natural.low) & np.isfinite(natural.high))
 
 
 @lru_cache(maxsize=1024)
@@ -86,8 +85,7 @@ def _power(base: Enclosure, p: int, q: int) -> Enclosure:
     """The power p of the root q."""
     if q == 2:
         root = outward(np.sqrt(base.low), np.sqrt(base.high))
-        base = Enclosure(np.where(base.low >= 0, np.maximum(root.low, 0), -np.inf),
-                         np.where(base.low >= 0, root.high, np.inf))
+        base = Enclosure(np.maximum(root.low, 0), root.high).where(base.low >= 0)
     elif q > 2:
         base = _each(str(q), base)
     result = base

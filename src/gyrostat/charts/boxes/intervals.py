@@ -50,6 +50,10 @@ class Enclosure:
         """Where 0 is excluded."""
         return (self.low > 0) | (self.high < 0)
 
+    def where(self, known: Array) -> "Enclosure":
+        """The same where something is known, the whole line elsewhere."""
+        return Enclosure(np.where(known, self.low, -np.inf), np.where(known, self.high, np.inf))
+
     def __and__(self, other: "Enclosure") -> "Enclosure":
         """What two enclosures of one quantity say together."""
         return Enclosure(np.maximum(self.low, other.low), np.minimum(self.high, other.high))
@@ -77,8 +81,7 @@ class Enclosure:
 
     def reciprocal(self) -> "Enclosure":
         """1/x, the whole line where 0 is not excluded."""
-        inverse, apart = outward(1 / self.high, 1 / self.low), self.apart
-        return Enclosure(np.where(apart, inverse.low, -np.inf), np.where(apart, inverse.high, np.inf))
+        return outward(1 / self.high, 1 / self.low).where(self.apart)
 
 
 def outward(low: Array, high: Array, low_exact: Array | bool = False,

@@ -15,7 +15,7 @@ from ...algebra.enclosures.floats import Array
 from ...algebra.enclosures.precision import ONE_AT_A_TIME, own_precision
 from ...algebra.enclosures.rationals import to_flint, to_sympy
 from ...algebra.reals.exact import compiled, sign
-from ..grids import Grid, Slices, cut, places
+from ..grids import Grid, Slices, cut, gathered, places
 from .dyadic import dyadic_signs
 from .given_columns import largest_size
 from .kernels import SIGN, Kernel
@@ -117,8 +117,7 @@ class ArraySigns:
         unsure = places(signs == 0)
         for start in range(0, len(unsure[0]), TOGETHER):
             rows, columns = (place[start:start + TOGETHER] for place in unsure)
-            here = {leaf: a[rows if a.shape[0] > 1 else 0, columns if a.shape[1] > 1 else 0].reshape(-1)
-                    for leaf, a in leaves.items()}
+            here = {leaf: gathered(a, rows, columns) for leaf, a in leaves.items()}
             found, bound = self._bounded(here, len(rows))
             left = np.flatnonzero(found == 0)
             if len(left) and self.whole_numbers:

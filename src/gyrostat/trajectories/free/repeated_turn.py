@@ -11,11 +11,13 @@ from ...algebra.enclosures.balls import ball
 from ...algebra.enclosures.double_double import Twofold
 from ...algebra.enclosures.floats import Array
 from ...algebra.enclosures.precision import own_precision
+from ...algebra.rings.matrices import cross
 from ...errors import AccuracyError
+from ...stability.criteria.amended_form import dot
 from ..periods import double, pair, reduced, turns
 from .polhodes import Meeting, Polhode
 from .taylor import Loop, Rates, loop
-from .uniform_motion import CONSTANT, ROUNDING, Triple, cross, cycles, dot, frame, turned
+from .uniform_motion import CONSTANT, ROUNDING, Triple, cycles, frame, turned
 
 # components of the vectors that are followed: M; M and the row x
 M_ONLY, ROWS = 3, 6
