@@ -211,9 +211,9 @@ def _apart(grid: Grid, place: int) -> bool:
 def _base(array: Array) -> Array:
     """An array without the axes along which it was broadcast before."""
     repeated = [step == 0 and n > 1 for step, n in zip(array.strides, array.shape)]
-    return (
-        array[tuple(slice(0, 1) if again else slice(None) for again in repeated)] if any(repeated) else array
-    )
+    if not any(repeated):
+        return array
+    return array[tuple(slice(0, 1) if again else slice(None) for again in repeated)]
 
 
 def _groups(shape: tuple[int, ...], shapes: list[tuple[int, ...]]) -> list[list[int]]:

@@ -115,17 +115,21 @@ def _route(scene: System, point: tuple[Expr, ...], bits: int, tolerance: float |
 
 def with_numbers(scene: System, values: Mapping[str, Any]) -> System:
     """The scene with numbers for its names."""
-    free = scene.hamiltonian.free_symbols.union(*(c.free_symbols for c in scene.space.casimirs)) - set(
-        scene.space.coordinates
-    )
+    free = free_names(scene)
     if scene.unspecified:
         raise ScopeError("U(k3) is unspecified: give it to axial_potential, a motion needs numbers")
-    check_names(values, sorted(s.name for s in free), "the scene")
+    check_names(values, [s.name for s in free], "the scene")
     not_mixed(values.items())
-    numbers = {s: exact_number(values[s.name], s.name) for s in sorted(free, key=str)}
+    numbers = {s: exact_number(values[s.name], s.name) for s in free}
     if scene.potential is not None:
         scene.potential.check_size(numbers)
     return _inserted(scene, tuple(numbers.items())) if values else scene
+
+
+def free_names(scene: System) -> list[Symbol]:
+    """The names for which a motion needs numbers, in order."""
+    used = scene.hamiltonian.free_symbols.union(*(c.free_symbols for c in scene.space.casimirs))
+    return sorted(used - set(scene.space.coordinates), key=str)
 
 
 @lru_cache(maxsize=64)

@@ -111,11 +111,8 @@ def _conjugates(node: Expr) -> tuple[float, float, int] | None:
         return sum(u for u, _, _ in given), sum(v for _, v, _ in given), math.prod(w for _, _, w in given)
     if isinstance(node, Add):
         below, whole = sum(v for _, v, _ in given), math.lcm(*(w for _, _, w in given))
-        return (
-            max(u + below - v + math.log2(whole // w) for u, v, w in given) + math.log2(len(given)),
-            below,
-            whole,
-        )
+        above = max(u + below - v + math.log2(whole // w) for u, v, w in given)
+        return above + math.log2(len(given)), below, whole
     if not isinstance(node, Pow) or not isinstance(node.exp, Rational):
         return None
     (u, v, w), n, k = given[0], abs(int(node.exp.p)), int(node.exp.q)

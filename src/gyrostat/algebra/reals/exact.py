@@ -132,12 +132,8 @@ def sign_of_constant(constant: Expr) -> int | None:
             most = min(4 * least + 256, ALGEBRAIC_LIMIT)
         if least is not None and abs(enclosure) < arb(2) ** -least:
             return 0
-        if (
-            precision == 256
-            and (least is None or least > FAR)
-            and enclosure.is_finite()
-            and vanishes(constant, sign_of_constant)
-        ):
+        far = precision == 256 and (least is None or least > FAR)
+        if far and enclosure.is_finite() and vanishes(constant, sign_of_constant):
             return 0
         precision *= 2
     return None
@@ -186,11 +182,9 @@ def is_identically_zero(expression: Expr) -> bool | None:
 
 def plain(constant: Expr) -> Expr:
     """0, 1 or -1 in place of a constant that is proved to be that number; anything else as it is."""
-    if (
-        constant.free_symbols
-        or isinstance(constant, Rational)
-        or not (near := ball(constant, 64)).is_finite()
-    ):
+    if constant.free_symbols or isinstance(constant, Rational):
+        return constant
+    if not (near := ball(constant, 64)).is_finite():
         return constant
     found = (Integer(n) for n in (0, 1, -1) if near.contains(n) and sign_of_constant(constant - n) == 0)
     return next(found, constant)

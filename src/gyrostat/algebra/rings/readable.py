@@ -74,9 +74,8 @@ def _paired(factors: list[tuple[fmpq_mpoly, int]]) -> list[tuple[fmpq_mpoly, int
     for f, n in factors:
         partner = next((g for g, m in result if m == int(n) and len(g) == len(f) == 2 and len(f * g) == 2),
                        None)
-        result = [(g, m) for g, m in result if g is not partner] + [
-            (f if partner is None else f * partner, int(n))
-        ]
+        result = [(g, m) for g, m in result if g is not partner]
+        result.append((f if partner is None else f * partner, int(n)))
     return result
 
 

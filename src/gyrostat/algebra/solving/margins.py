@@ -104,11 +104,8 @@ class Signs:
             content, factors = self._factorization(polynomial)
             sign = sign if content > 0 else -sign
             for name, factor, n in factors:
-                if (
-                    known := self._known.get(name)
-                    or self._form(name, factor)
-                    or (deep and self._quadratic(name, factor))
-                ):
+                known = self._known.get(name) or self._form(name, factor)
+                if known or deep and (known := self._quadratic(name, factor)):
                     sign *= known**n
                 elif n % 2:
                     odd[name] = factor

@@ -63,7 +63,9 @@ def real_roots(expression: Expr, x: Symbol, low: Expr | None = None,
     ring = Ring([expression, x])
     constants = [g for g in ring.generators if g != x]
     if any(g.free_symbols or g.is_real is False for g in constants):
-        raise _beyond(expression, x)
+        raise ScopeError(f"{brief(expression)} is not a fraction of polynomials in {x} with real numbers for "
+                         "coefficients: its roots are not found; give numbers for its parameters, and a "
+                         "field that is polynomial in k3")
     top, bottom = ring.fraction(expression)
     top, place = ring.reduce(top), ring.generators.index(x)
     parts = by_degree(top, place, top.degrees()[place])
@@ -81,12 +83,6 @@ def real_roots(expression: Expr, x: Symbol, low: Expr | None = None,
     found = [r for r in found if bottom.is_one() or proved_sign(inserted(ring, bottom, {x: r})) != 0]
     return [r for r in found if (low is None or proved_sign(r - low) == 1)
             and (high is None or proved_sign(high - r) == 1)]
-
-
-def _beyond(expression: Expr, x: Symbol) -> ScopeError:
-    return ScopeError(f"{brief(expression)} is not a fraction of polynomials in {x} with real numbers for "
-                      "coefficients: its roots are not found; give numbers for its parameters, and a field "
-                      "that is polynomial in k3")
 
 
 def _by_norm(ring: Ring, polynomial: fmpq_mpoly, x: Symbol) -> list[Expr] | None:
@@ -201,11 +197,9 @@ def nearest(value: Expr, known: list[Expr], power: int = 1) -> Expr:
     precision = 64
     while True:
         here = math.prod([ball(value, precision)] * power, start=arb(1))
-        left = (
-            [number for number in known if here.overlaps(ball(number, precision))]
-            if here.is_finite()
-            else known
-        )
+        left = known
+        if here.is_finite():
+            left = [number for number in known if here.overlaps(ball(number, precision))]
         if len(left) == 1:
             return left[0]
         precision *= 2

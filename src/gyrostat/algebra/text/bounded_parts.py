@@ -92,8 +92,8 @@ def of_sum(costs: Sequence[Cost]) -> Cost:
 def of_product(costs: Sequence[Cost]) -> Cost:
     """Bounds of a product."""
     return _joined(Cost(math.prod(c.terms for c in costs), sum(c.degree for c in costs),
-                        sum(c.bits for c in costs),
-                        sum(c.size for c in costs)), max(c.partial for c in costs))
+                        sum(c.bits for c in costs), sum(c.size for c in costs)),
+                   max(c.partial for c in costs))
 
 
 def of_power(base: Cost, exponent: Rational) -> Cost:
@@ -119,11 +119,9 @@ def factored(base: Part, root: int) -> int:
     factors = Mul.make_args(base.value) if isinstance(base.value, Expr) else ()
     order = root * max((part.exp.q for part in factors if isinstance(part, Pow)
                         and isinstance(part.exp, Rational)), default=1)
-    bits = (
-        base.cost.bits
-        if not isinstance(base.value, Rational)
-        else max(map(_without_tens, (int(base.value.p), int(base.value.q))))
-    )
+    bits = base.cost.bits
+    if isinstance(base.value, Rational):
+        bits = max(map(_without_tens, (base.value.p, base.value.q)))
     return order * bits if order > 1 else 0
 
 
@@ -143,12 +141,9 @@ def factored_by(name: str, argument: Part) -> int:
     found = [8 * argument.cost.bits if argument.value.has(*_INVERSE) else 0]
     for term in Add.make_args(argument.value) if name == "exp" else ():
         c, logarithm = term.as_coeff_Mul()
-        if (
-            isinstance(logarithm, sympy.log)
-            and isinstance(r := logarithm.args[0], Rational)
-            and not (r.is_prime or (1 / r).is_prime)
-        ):
-            found.append(max(abs(int(c.p)), int(c.q)) * of_number(r).bits)
+        r = logarithm.args[0] if isinstance(logarithm, sympy.log) else None
+        if isinstance(r, Rational) and not (r.is_prime or (1 / r).is_prime):
+            found.append(max(abs(c.p), c.q) * of_number(r).bits)
     return max(found)
 
 

@@ -45,14 +45,9 @@ def double(value: Expr) -> str:
 
     That of a double which is longer as a fraction; "" for any other number.
     """
-    if (
-        not isinstance(value, Rational)
-        or value.q < 2**20
-        or int(value.q).bit_count() != 1
-        or int(value.q).bit_length() > 1075
-    ):
+    if not isinstance(value, Rational) or value.q.bit_count() != 1 or not 2**20 <= value.q < 2**1075:
         return ""
-    near = int(value.p) / int(value.q)
+    near = value.p / value.q
     return repr(near) if Fraction(near) == Fraction(value) else ""
 
 

@@ -139,10 +139,9 @@ def certify_box(report: Report, box: Mapping[str, Any], *, depth: int = 24,
     if found >= {STABLE, UNSTABLE}:
         return BoxDecision(Verdict.UNDECIDED, "a part of the box is proved stable and another part unstable",
                            chart)
-    reason = (
-        f"nothing is proved on {int((chart.code == UNDECIDED).sum())} of {len(chart.code)} parts of the box"
-    )
-    return BoxDecision(Verdict.UNDECIDED, reason, chart)
+    undecided = int((chart.code == UNDECIDED).sum())
+    return BoxDecision(Verdict.UNDECIDED,
+                       f"nothing is proved on {undecided} of {len(chart.code)} parts of the box", chart)
 
 
 @checked

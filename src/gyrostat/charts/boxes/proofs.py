@@ -95,9 +95,8 @@ class Proof:
             left = np.flatnonzero((code == UNDECIDED) | partly.any(axis=0))
             if len(left):
                 bounds = {e: Enclosure(b.low[left], b.high[left]) for e, b in bounds.items()}
-                code[left], influence[left] = self._judge_sharply(
-                    bounds, low[left], high[left], partly[:, left]
-                )
+                found = self._judge_sharply(bounds, low[left], high[left], partly[:, left])
+                code[left], influence[left] = found
         return code, influence
 
     def _partly(self, bounds: Bounds, low: Array, high: Array) -> Array:

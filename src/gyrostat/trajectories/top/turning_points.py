@@ -61,10 +61,8 @@ def roots_of(level: Level) -> Roots:
                          "nor exponential")
     others = [(x, k) for x, k in found if not (x.imag == 0
                                                and (x.real.overlaps(lower) or x.real.overlaps(upper)))]
-    leading = (
-        None if level.polynomial is None else enclosed(next(c for c in reversed(level.polynomial) if c != 0))
-    )
-    return Roots(lower, upper, (m == 2, n == 2), others, leading)
+    highest = next((c for c in reversed(level.polynomial or ()) if c != 0), None)
+    return Roots(lower, upper, (m == 2, n == 2), others, None if highest is None else enclosed(highest))
 
 
 def _ends(level: Level, found: Sequence[tuple[acb, int]]) -> list[tuple[arb, int]]:
@@ -146,18 +144,12 @@ def _first(level: Level, g: Profile, side: int, m: int) -> arb | None:
     cells = [(fmpq(0), fmpq(1))]
     while cells:
         low, high = cells.pop()
-        x, middle, end = (
-            start + way * arb(low).union(arb(high)),
-            start + way * (low + high) / 2,
-            start + way * high,
-        )
+        x = start + way * arb(low).union(arb(high))
+        middle, end = start + way * (low + high) / 2, start + way * high
         steep = side * slope(x)                            # > 0: g grows on the way
-        positive = value(middle) + side * steep * (x - middle) > 0 or (steep < 0 and value(end) > 0)
-        if (
-            positive
-            or (low == 0 and level.direction == 0 and steep > 0)
-            or (high == 1 and m == 2 and steep < 0)
-        ):
+        if value(middle) + side * steep * (x - middle) > 0 or (steep < 0 and value(end) > 0):
+            continue                                       # g is positive here
+        if low == 0 and level.direction == 0 and steep > 0 or high == 1 and m == 2 and steep < 0:
             continue
         if steep < 0 and value(end) < 0:
             for _ in range(2 * ctx.prec.bit_length()):
@@ -187,12 +179,8 @@ def _around(g: Profile, ends: Sequence[tuple[arb, int]]) -> list[acb]:
         others = sorted(others, key=lambda y: abs(y - x).mid())[m:]
     for x, m in ends:
         beyond = x - 2 * g(x, 1) / g(x, 2)  # of the parabola there
-        if (
-            m == 1
-            and CLOSE * abs(beyond - x) < width
-            and not any(abs(beyond - y) < abs(beyond - x) for y in others)
-        ):
-            others.append(acb(beyond))
+        if m == 1 and CLOSE * abs(beyond - x) < width:
+            others += [] if any(abs(beyond - y) < abs(beyond - x) for y in others) else [acb(beyond)]
         others = _closer(g, x, m, others, width)
     for x in _beside(others, lower, upper):
         others = _closer(g, x, 0, others, CLOSE * _to_an_end(x, lower, upper) / 8)
@@ -223,9 +211,8 @@ def _closer(g: Profile, x: arb, m: int, others: list[acb], width: arb) -> list[a
     while CLOSE * (least := min((abs(y - x).mid() for y in others), default=width)) < width:
         width = max(8 * least, width / CLOSE, key=arb.mid).mid()
         around = sorted(_interpolated(g, x - width, x + width), key=lambda y: abs(y - x).mid())[m:]
-        others = [y for y in others if abs(y - x).mid() > width / 2] + [
-            y for y in around if abs(y - x).mid() <= width / 2
-        ]
+        others = [y for y in others if abs(y - x).mid() > width / 2]
+        others += [y for y in around if abs(y - x).mid() <= width / 2]
     return others
 
 
