@@ -13,10 +13,9 @@ from ..mechanics.scenes.system import System
 from ..stability.criteria.number_notes import state_note
 from .columns import columns, dataset, euler, turns_of
 from .conserved import conserved, lost
-from .rates import frequencies, gained, period, rate
 from .route import Route
 from .states_in_digits import finite_times, states_in_digits, states_in_doubles
-from .summary import attributes, summary
+from .summary import attributes, frequencies, gained, period, rate, summary
 
 
 class Motion:

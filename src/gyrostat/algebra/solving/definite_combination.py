@@ -3,7 +3,7 @@ from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from operator import mul
 
-from sympy import Dummy, Expr, ImmutableMatrix, Rational, oo
+from sympy import Dummy, ImmutableMatrix, Rational, oo
 
 from ...errors import ScopeError
 from ..enclosures.balls import ball
@@ -41,7 +41,7 @@ def definite_combination(form: ImmutableMatrix,
     >>> definite_combination(diag(1, -1), [diag(-1, 1)])
     """
     for found in _searched(form, others):
-        if definite(_combined(form, others, found)):
+        if definite(ImmutableMatrix(sum((a * other for a, other in zip(found, others)), form))):
             return found
     for place, other in enumerate(others):
         for a in _along(form, other):
@@ -67,11 +67,6 @@ def _along(form: ImmutableMatrix, other: ImmutableMatrix) -> Iterator[Rational]:
         return
     ends = [] if roots is None else [-oo, *roots, oo]      # none: singular for every a
     yield from (between(low, high) for low, high in zip(ends, ends[1:]))
-
-
-def _combined(form: ImmutableMatrix, others: Sequence[ImmutableMatrix],
-              coefficients: Sequence[Expr]) -> ImmutableMatrix:
-    return ImmutableMatrix(sum((a * other for a, other in zip(coefficients, others)), form))
 
 
 def _searched(form: ImmutableMatrix, others: Sequence[ImmutableMatrix]) -> Iterator[tuple[Rational, ...]]:

@@ -29,7 +29,11 @@ _COMPARED: dict[Relation, np.ufunc] = {operator.gt: np.greater, operator.ge: np.
 def writer(expression: Expr, relation: Relation | None, grid: Grid, backend: str, kind: Any,
            spent: list[float]) -> Writer:
     """What writes the value of an expression into a block of the result, or its relation to 0."""
-    tiles = tiles_of(expression, grid, kind)
+    def read(leaf: Expr, block: Slices) -> Array:
+        here = {s: cut(grid.values[s], block) for s in leaf.free_symbols}
+        return np.asarray(in_floats(leaf, np, here), dtype=kind)
+
+    tiles = Tiles(program_of(expression, grid.axes), grid.full, read, kind)
     if backend == "numba" and tiles.inner and relation in _COMPILED:
         return Kernel(tiles, _COMPILED[relation], spent)
 
@@ -59,15 +63,6 @@ def joined(operation: np.ufunc, writers: Iterable[Writer]) -> Writer:
             operation(out, other, out=out)
 
     return write
-
-
-def tiles_of(margin: Expr, grid: Grid, kind: Any = np.float64) -> Tiles:
-    """The program of a margin over a grid."""
-    def read(leaf: Expr, block: Slices) -> Array:
-        here = {s: cut(grid.values[s], block) for s in leaf.free_symbols}
-        return np.asarray(in_floats(leaf, np, here), dtype=kind)
-
-    return Tiles(program_of(margin, grid.axes), grid.full, read, kind)
 
 
 def prepared(out: Array | None, shape: tuple[int, ...], kind: Any) -> Array:

@@ -42,15 +42,13 @@ class ArraySigns:
         of doubles
     backend : str
         "numpy" or "numba"
-    spent : list
-        seconds of compiling are entered
     """
 
-    def __init__(self, expression: Expr, grid: Grid, backend: str, spent: list[float]):
+    def __init__(self, expression: Expr, grid: Grid, backend: str = "numpy"):
         self.expression, self.grid = expression, grid
         program = program_of(expression, grid.axes)
         self.tiles = Tiles(program, grid.full, self._read)
-        self.kernel = Kernel(self.tiles, SIGN, spent) if backend == "numba" and self.tiles.inner else None
+        self.kernel = Kernel(self.tiles, SIGN, []) if backend == "numba" and self.tiles.inner else None
         with ONE_AT_A_TIME:
             largest = {leaf: self._largest(leaf) for leaf in program.leaves}
         self.whole_numbers = _in_whole_numbers(program, grid)

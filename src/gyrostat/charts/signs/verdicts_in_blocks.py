@@ -64,8 +64,8 @@ class Decided:
 
     def _signs(self, expression: Expr) -> ArraySigns:
         if expression not in self.known:
-            self.known[expression] = ArraySigns(with_constants(expression, self.grid), self.grid,
-                                                self.backend, [])
+            margin = with_constants(expression, self.grid)
+            self.known[expression] = ArraySigns(margin, self.grid, self.backend)
         return self.known[expression]
 
     def fill(self, tiles: Iterable[Sequence[Slices]], result: Array) -> tuple[int, ...] | None:
@@ -219,7 +219,7 @@ def _climbed(boundary: Boundary, grid: Grid, vanishing: Expr | None) -> Array:
 
 def signs_in_row(condition: Condition, grid: Grid) -> Array:
     """The sign of a condition at points in a row, 0 where an even factor vanishes."""
-    signs, *factors = (np.broadcast_to(ArraySigns(e, grid, "numpy", [])(grid.whole)[0], grid.shape)
+    signs, *factors = (np.broadcast_to(ArraySigns(e, grid)(grid.whole)[0], grid.shape)
                        for e in (condition.margin, *condition.degenerate))
     for factor in factors:
         signs = np.where(factor == 0, 0, np.where((factor == UNKNOWN) & (signs != 0), UNKNOWN, signs))
