@@ -103,8 +103,8 @@ class Confirmation:
         if self.failure:
             return self.failure
         return (f"the excursions go as the power {self.slope:.2f} of the perturbation, {self.expected} is "
-                "expected for small ones: "
-                "the equilibrium is too close to a boundary for these sizes, give smaller ones")
+                "expected for small ones: the equilibrium is too close to a boundary for these sizes, give "
+                "smaller ones")
 
 
 @checked
@@ -183,8 +183,7 @@ def confirm(report: Report, values: Mapping[str, Any], sizes: Sequence[Any] = SI
     small = [float(step) for step in steps[:len(far)]]
     slope = float(np.polyfit(np.log(small[-3:]), np.log(far[-3:]), 1)[0]) if len(far) > 2 else math.nan
     return Confirmation(decision, tuple(small), tuple(far), slope, _expected(report, decision, numbers),
-                        tuple(sorted(routes)), complete,
-                        failure)
+                        tuple(sorted(routes)), complete, failure)
 
 
 def moved(point: Sequence[Expr], turn: ImmutableMatrix, change: ImmutableMatrix) -> tuple[Expr, ...]:

@@ -78,8 +78,7 @@ def motion(scene: System, state: Sequence[Any], values: Mapping[str, Any] | None
     scene = with_numbers(scene, values or {})
     if len(state) != len(scene.space.coordinates):
         raise ValuesError(f"the state has {len(state)} numbers, the scene {len(scene.space.coordinates)} "
-                          "coordinates: give "
-                          f"{', '.join(map(str, scene.space.coordinates))}")
+                          f"coordinates: give {', '.join(map(str, scene.space.coordinates))}")
     point = tuple(exact_number(x, s.name) for x, s in zip(state, scene.space.coordinates))
     if precision is not None and not 1 <= precision <= MOST_DIGITS:
         raise ValuesError(f"precision = {brief(precision)}: give a number of decimal digits up to "

@@ -111,8 +111,7 @@ def exact_number(value: Any, name: str = "value") -> Expr:
     if isinstance(value, bool | type) or not (isinstance(value, numbers.Real)
                                               or hasattr(value, "as_integer_ratio")):
         raise ValuesError(f"{name} = {brief(value)} is a {type(value).__name__}, not a real number: give "
-                          "an int, Fraction, "
-                          "float, SymPy number or a string like '1/2'")
+                          "an int, Fraction, float, SymPy number or a string like '1/2'")
     if isinstance(value, numbers.Rational):
         return _bounded(to_sympy(value), name)
     try:

@@ -131,17 +131,15 @@ def certify_box(report: Report, box: Mapping[str, Any], *, depth: int = 24,
     if not found:
         raise ValuesError(f"{report.equilibrium.label} exists at no point of the box: choose a box in "
                           "which its domain is positive")
+    left, parts = int((chart.code == UNDECIDED).sum()), len(chart.code)
+    verdict, reason = Verdict.UNDECIDED, f"nothing is proved on {left} of {parts} parts of the box"
     if found == {STABLE}:
-        return BoxDecision(Verdict.STABLE, "a sufficient condition is proved on every part of the box", chart)
-    if found == {UNSTABLE}:
-        return BoxDecision(Verdict.UNSTABLE,
-                           "a necessary condition is proved to fail on every part of the box", chart)
-    if found >= {STABLE, UNSTABLE}:
-        return BoxDecision(Verdict.UNDECIDED, "a part of the box is proved stable and another part unstable",
-                           chart)
-    undecided = int((chart.code == UNDECIDED).sum())
-    return BoxDecision(Verdict.UNDECIDED,
-                       f"nothing is proved on {undecided} of {len(chart.code)} parts of the box", chart)
+        verdict, reason = Verdict.STABLE, "a sufficient condition is proved on every part of the box"
+    elif found == {UNSTABLE}:
+        verdict, reason = Verdict.UNSTABLE, "a necessary condition is proved to fail on every part of the box"
+    elif found >= {STABLE, UNSTABLE}:
+        reason = "a part of the box is proved stable and another part unstable"
+    return BoxDecision(verdict, reason, chart)
 
 
 @checked

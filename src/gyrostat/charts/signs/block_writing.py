@@ -73,8 +73,7 @@ def prepared(out: Array | None, shape: tuple[int, ...], kind: Any) -> Array:
     if out.shape != shape or out.dtype != kind or not out.flags.carray:
         kept = "" if out.flags.carray else ", and is read-only or not C-contiguous"
         raise ValuesError(f"out has shape {out.shape}, type {out.dtype}{kept}; the result has shape "
-                          f"{shape}, type {np.dtype(kind)}: "
-                          "pass an array made by np.empty")
+                          f"{shape}, type {np.dtype(kind)}: pass an array made by np.empty")
     return out
 
 

@@ -41,8 +41,7 @@ def read_entry(name: str, value: Any, kind: Any, finite: bool) -> tuple[Array, A
         return array.astype(kind, copy=False), None
     if array.dtype.kind != "O":
         raise ValuesError(f"{name} is an array of {array.dtype}, not of real numbers: give floats of at "
-                          "most 64 bits, integers, "
-                          "or exact numbers such as Fraction")
+                          "most 64 bits, integers, or exact numbers such as Fraction")
     numbers = np.empty(array.shape, dtype=object)
     for where in np.ndindex(array.shape):
         if finite or not isinstance(x := array[where], float) or isfinite(x):

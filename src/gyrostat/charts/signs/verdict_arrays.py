@@ -1,5 +1,6 @@
 """The exact verdict at every point of a grid."""
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -102,17 +103,15 @@ def decided(report: Report, values: Mapping[str, Any], damped: bool = False, inv
     merged = result.reshape(grid.merged)
     layer = None if rungs is None else rungs.reshape(grid.merged)
     demands = demands_of(report, grid, damped)
+    filler: Callable[[], Screen | Decided] = partial(Decided, report, grid, backend, damped, layer)
+    blocks = grid.blocks(NUMBA_BLOCK if backend == "numba" else NUMPY_BLOCK)
     if rungs is None and backend == "numba" and screened(grid, demands):
         screen = Screen(report, grid, demands)
-        with telling(progress, "verdicts") as told:
-            firsts = in_threads(lambda some: screen.fill(some, merged), screen.blocks(threads), threads, told)
-    else:
-        if invalid == "raise":
-            _refuse_strange(report, given, grid, damped)
-        blocks = grid.blocks(NUMBA_BLOCK if backend == "numba" else NUMPY_BLOCK)
-        with telling(progress, "verdicts") as told:
-            firsts = in_threads(lambda some: Decided(report, grid, backend, damped, layer).fill(some, merged),
-                                blocks, threads, told)
+        filler, blocks = lambda: screen, screen.blocks(threads)
+    elif invalid == "raise":
+        _refuse_strange(report, given, grid, damped)
+    with telling(progress, "verdicts") as told:
+        firsts = in_threads(lambda some: filler().fill(some, merged), blocks, threads, told)
     if invalid == "raise" and (bad := [first for first in firsts if first is not None]):
         _refuse_strange(report, given, grid, damped)
         place = min(bad)

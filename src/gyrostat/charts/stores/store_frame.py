@@ -123,8 +123,7 @@ class Frame:
         """Raise StoreError unless a store is one of this chart."""
         if other := [name for name in {**self.identity, **own} if own.get(name) != self.identity.get(name)]:
             raise StoreError(f"{self.path} is the store of another chart, they differ in "
-                             f"{', '.join(other)}: give another path, "
-                             "or remove it")
+                             f"{', '.join(other)}: give another path, or remove it")
 
     def _repair(self) -> None:
         """Make again from the call what is not computed block by block.
@@ -133,16 +132,15 @@ class Frame:
         """
         if '"format": 1,' in str(attributes_of(self.path).get("chart")):
             raise StoreError(f"{self.path} is a store of format 1, of a gyrostat that wrote no checksums, "
-                             "so that nothing tells whether "
-                             "its blocks are whole: xarray.open_zarr reads it as before; to convert it to "
-                             "this format, move it away and "
-                             "call again, which computes it anew")
+                             "so that nothing tells whether its blocks are whole: xarray.open_zarr reads it "
+                             "as before; to convert it to this format, move it away and call again, which "
+                             "computes it anew")
         with self._new() as new:
             marks = self._marks(new)
             if not vouched(self.path) and not any(marks.fits(n) for n in range(prod(marks.counts))):
                 raise StoreError(f"{self.path} exists and is no store of a chart, or one whose "
-                                 f"{DESCRIPTION} is damaged and of which no "
-                                 "block is one of this chart: give another path, or remove it")
+                                 f"{DESCRIPTION} is damaged and of which no block is one of this chart: give "
+                                 "another path, or remove it")
             for name, data in sorted(files(new).items(), key=lambda item: item[0] == DESCRIPTION):
                 if not (old := self.path / name).is_file() or old.read_bytes() != data:
                     replace(old, data)
