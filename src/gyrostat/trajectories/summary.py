@@ -1,16 +1,48 @@
-"""What is known of a motion: period, angles gained, mean rates; lines to read, attributes of its table."""
+"""What is known of a motion: what it conserves, its period and mean rates, as lines and as attributes."""
 from collections.abc import Sequence
 from typing import Any
 
 import mpmath
 import numpy as np
 from flint import arb
-from sympy import Expr, ImmutableMatrix
+from sympy import Add, Expr, ImmutableMatrix
 
+from ..algebra.enclosures.floats import Array, in_floats
 from ..mechanics.scenes.system import System
 from ..version import __version__
 from .route import Route
 from .states_in_digits import bits_of, in_digits
+
+
+def conserved(scene: System, state: Sequence[Expr]) -> dict[str, Expr]:
+    """Functions of the coordinates: energy, the Casimirs C1, C2 and the integrals F1, F2 of its level."""
+    found = {"energy": scene.hamiltonian}
+    for letter, functions in (("C", scene.space.casimirs), ("F", scene.integrals_at(state))):
+        found |= {f"{letter}{i}": function for i, function in enumerate(functions, 1)}
+    return found
+
+
+def lost(scene: System, state: Sequence[Expr], states: Array) -> dict[str, float]:
+    """How far each conserved function is off at most from that of the first state, over its largest term.
+
+    Parameters
+    ----------
+    scene : System
+        with its numbers
+    state : sequence of n Expr
+        exact
+    states : array, shape (..., n)
+        in doubles
+    """
+    coordinates, found = scene.space.coordinates, {}
+    values = dict(zip(coordinates, np.moveaxis(states, -1, 0)))
+    exact = dict(zip(coordinates, state))
+    start = {s: np.asarray(float(value)) for s, value in exact.items()}
+    for name, function in conserved(scene, state).items():
+        size = max(abs(float(in_floats(term, np, start))) for term in Add.make_args(function.expand()))
+        off = np.abs(in_floats(function, np, values) - float(function.xreplace(exact)))
+        found[name] = float(np.max(off, initial=0.0)) / (size or 1.0)
+    return found
 
 
 def period(route: Route, digits: int | None) -> Any:

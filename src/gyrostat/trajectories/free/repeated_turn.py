@@ -82,9 +82,8 @@ class RepeatedTurn:
         forth, back = self.loops(components)
         if back is None:
             n, r = reduced(t, self._cycle)
-            return forth.values(r, self._cycle.high), turns(
-                n - (r < 0), cycles(self.angle)
-            ) if components == ROWS else n
+            besides = turns(n - (r < 0), cycles(self.angle)) if components == ROWS else n
+            return forth.values(r, self._cycle.high), besides
         found, cycle = np.empty((len(t), components)), np.zeros(len(t))
         for where, side, rates in ((t >= 0, forth, self.rates(CONSTANT)),
                                    (t < 0, back, self.rates(CONSTANT).reversed())):
