@@ -168,9 +168,9 @@ def grid_of(values: Mapping[str, Any], kind: Any = np.float64, finite: bool = Tr
 
     def merge(array: Array) -> Array:
         full = (1,) * (len(shape) - array.ndim) + array.shape
-        return array.reshape([int(np.prod([full[i] for i in group], dtype=int)) for group in groups])
+        return array.reshape([prod(full[i] for i in group) for group in groups])
 
-    merged = tuple(int(np.prod([shape[i] for i in group], dtype=int)) for group in groups)
+    merged = tuple(prod(shape[i] for i in group) for group in groups)
     return _widened(Grid(shape, merged, {s: merge(floats) for s, (floats, _) in read.items()},
                          {s: merge(exact) for s, (_, exact) in read.items() if exact is not None}))
 

@@ -27,8 +27,7 @@ MOST_DIGITS = 10_000
 
 @checked
 def motion(scene: System, state: Sequence[Any], values: Mapping[str, Any] | None = None, *,
-           precision: int | None = None,
-           tolerance: float | None = None) -> Motion:
+           precision: int | None = None, tolerance: float | None = None) -> Motion:
     """The motion of a scene from a state on, in the smallest model that has it.
 
     A body of revolution in U(k3) by elliptic functions (U of degree at most 2) or by one spectral quadrature:

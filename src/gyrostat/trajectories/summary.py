@@ -106,8 +106,7 @@ def attributes(scene: System, state: Sequence[Expr], route: Route, energy: float
              "error": route.error, "nodes": route.nodes, "recognised": route.recognised or None}
     inertia = body.inertia
     numbers = {"inertia": inertia.tolist() if isinstance(inertia, ImmutableMatrix) else inertia,
-               "gyrostatic_momentum": body.gyrostatic_momentum,
-               "state": state, "potential": potential.expression if potential else "none",
-               "gyrostat_version": __version__}
+               "gyrostatic_momentum": body.gyrostatic_momentum, "state": state,
+               "potential": potential.expression if potential else "none", "gyrostat_version": __version__}
     return ({name: value for name, value in known.items() if value is not None}
             | {name: str(value) for name, value in numbers.items()})

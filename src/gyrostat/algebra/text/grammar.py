@@ -25,9 +25,8 @@ from .bounded_parts import DEGREE, FUNCTIONS, HYPERBOLIC, PARTIAL, Cost, Part
 from .limits import Limited
 
 _MEANT = {"ln": "log", "arcsin": "asin", "arccos": "acos", "arctan": "atan", "arcsinh": "asinh",
-          "arccosh": "acosh", "arctanh": "atanh",
-          "arsinh": "asinh", "arcosh": "acosh", "artanh": "atanh", "arctg": "atan", "tg": "tan",
-          "sh": "sinh", "ch": "cosh", "th": "tanh"}
+          "arccosh": "acosh", "arctanh": "atanh", "arsinh": "asinh", "arcosh": "acosh", "artanh": "atanh",
+          "arctg": "atan", "tg": "tan", "sh": "sinh", "ch": "cosh", "th": "tanh"}
 
 
 class Parser(Limited):

@@ -33,20 +33,20 @@ class Dimension(NamedTuple):
 
 
 NONE = Dimension(0, 0, 0)
+_MASS, _LENGTH, _TIME, _RATE = (Dimension(1, 0, 0), Dimension(0, 1, 0), Dimension(0, 0, 1),
+                                Dimension(0, 0, -1))
 _INERTIA, _MOMENTUM, _TORQUE = Dimension(1, 2, 0), Dimension(1, 2, -1), Dimension(1, 2, -2)
-_RATE = Dimension(0, 0, -1)
+_FORCE = Dimension(1, 1, -2)
 # of what is not in the table of notation
 _BESIDE = MappingProxyType({
     "inertia": _INERTIA, "gyrostatic_momentum": _MOMENTUM, "axial": _INERTIA, "transverse": _INERTIA,
     "rate": _RATE, "momentum": _MOMENTUM, "M": _MOMENTUM, "C1": _MOMENTUM,
     "energy": _TORQUE, "axis": NONE, "orbit rate": _RATE, "orbit mu": Dimension(0, 3, -2),
-    "orbit radius": Dimension(0, 1, 0), "angle of roll": NONE, "angle of pitch": NONE, "angle of yaw": NONE,
-    "direction": NONE, "resolution": NONE, "sizes": NONE, "l/(I_pitch ω0)": NONE, "t": Dimension(0, 0, 1),
-    "transverse rate": _RATE, "axial rate": _RATE, "--transverse": _RATE, "--axial": _RATE,
-    "mass": Dimension(1, 0, 0), "coupling": Dimension(1, 1, 0), "--energy": _TORQUE, "--momentum": _MOMENTUM,
-    "--until": Dimension(0, 0, 1), "--step": Dimension(0, 0, 1)})
-_MASS, _LENGTH, _TIME, _FORCE = (Dimension(1, 0, 0), Dimension(0, 1, 0), Dimension(0, 0, 1),
-                                 Dimension(1, 1, -2))
+    "orbit radius": _LENGTH, "angle of roll": NONE, "angle of pitch": NONE, "angle of yaw": NONE,
+    "direction": NONE, "resolution": NONE, "sizes": NONE, "l/(I_pitch ω0)": NONE, "t": _TIME,
+    "transverse rate": _RATE, "axial rate": _RATE, "--transverse": _RATE, "--axial": _RATE, "mass": _MASS,
+    "coupling": Dimension(1, 1, 0), "--energy": _TORQUE, "--momentum": _MOMENTUM, "--until": _TIME,
+    "--step": _TIME})
 _FOOT, _POUND, _GRAVITY = Rational("0.3048"), Rational("0.45359237"), Rational("9.80665")
 # of each its SI number, exact, and whether it takes the prefixes of SI
 _UNITS: dict[str, tuple[Expr, Dimension, bool]] = {
@@ -55,7 +55,7 @@ _UNITS: dict[str, tuple[Expr, Dimension, bool]] = {
     "W": (S.One, Dimension(1, 2, -3), True), "Nm": (S.One, _TORQUE, True), "Nms": (S.One, _MOMENTUM, True),
     "min": (Integer(60), _TIME, False), "h": (Integer(3600), _TIME, False),
     "deg": (pi / 180, NONE, False), "arcmin": (pi / 10800, NONE, False), "arcsec": (pi / 648000, NONE, False),
-    "rev": (2 * pi, NONE, False), "rpm": (pi / 30, Dimension(0, 0, -1), False),
+    "rev": (2 * pi, NONE, False), "rpm": (pi / 30, _RATE, False),
     "in": (_FOOT / 12, _LENGTH, False), "ft": (_FOOT, _LENGTH, False), "lb": (_POUND, _MASS, False),
     "lbf": (_POUND * _GRAVITY, _FORCE, False), "slug": (_POUND * _GRAVITY / _FOOT, _MASS, False)}
 _WORDS = {"gram": "g", "kilogram": "kg", "meter": "m", "metre": "m", "second": "s", "radian": "rad",

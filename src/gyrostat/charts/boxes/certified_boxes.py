@@ -144,8 +144,7 @@ def certify_box(report: Report, box: Mapping[str, Any], *, depth: int = 24,
 
 @checked
 def certified_chart(report: Report, region: Mapping[str, Any], *, resolution: Any = Fraction(1, 8192),
-                    limit: int = 1_000_000,
-                    progress: Told | bool | None = None) -> CertifiedChart:
+                    limit: int = 1_000_000, progress: Told | bool | None = None) -> CertifiedChart:
     """A region paved by boxes, each with a proved verdict; the undecided ones lie along the boundary.
 
     Parameters

@@ -113,8 +113,7 @@ class Proof:
         return np.array([(a < -1e-9 * b) & (b > 0) for a, b in [*((m.low, m.high) for m in margins),
                                                                 *sides]]).reshape(-1, len(low))
 
-    def _judge_sharply(self, bounds: Bounds, low: Array, high: Array,
-                       partly: Array) -> tuple[Array, Array]:
+    def _judge_sharply(self, bounds: Bounds, low: Array, high: Array, partly: Array) -> tuple[Array, Array]:
         """As judge, where the natural enclosures leave something open.
 
         What matters is enclosed again, by its slopes.

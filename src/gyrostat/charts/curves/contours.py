@@ -22,8 +22,7 @@ _AROUND = [(i, j) for i in (-1, 0, 1) for j in (-1, 0, 1) if (i, j) != (0, 0)]
 
 
 def boundary(margins: Sequence[Expr], numbers: Mapping[Symbol, Expr], x: tuple[Symbol, Array],
-             y: tuple[Symbol, Array],
-             verdict: Array, ask: Verdicts | None = None) -> tuple[Array, Array]:
+             y: tuple[Symbol, Array], verdict: Array, ask: Verdicts | None = None) -> tuple[Array, Array]:
     """Points of the curves between different verdicts, NaN between the pieces.
 
     Marching squares on the sign of each margin; a vertex is kept where the verdict differs on the two sides

@@ -143,9 +143,8 @@ class _Writer:
         if isinstance(node, Pow) and isinstance(node.exp, Integer) and node.exp > 1:
             base, negative = self.write(node.base)
             return self.power(base, int(node.exp)), negative and bool(node.exp % 2)
-        return self.step("leaf", value=node,
-                         along=frozenset().union(*(self.axes.get(s, frozenset())
-                                                   for s in node.free_symbols))), False
+        along = frozenset().union(*(self.axes.get(s, frozenset()) for s in node.free_symbols))
+        return self.step("leaf", value=node, along=along), False
 
     def fold(self, terms: list[tuple[int, bool]], join: Callable[..., tuple[int, bool]]) -> tuple[int, bool]:
         """Two terms are joined at a time, those that vary along the fewest axes together first."""

@@ -22,9 +22,8 @@ from .verdicts_in_blocks import Decided, demands_of
 
 @checked
 def verdicts(report: Report, values: Mapping[Any, Any] | None = None, /, *, damped: bool = False,
-             invalid: str = "raise", backend: str = "numpy",
-             threads: int = 1, out: Array | None = None, progress: Told | bool | None = None,
-             **arrays: Any) -> Array:
+             invalid: str = "raise", backend: str = "numpy", threads: int = 1, out: Array | None = None,
+             progress: Told | bool | None = None, **arrays: Any) -> Array:
     """The exact verdict at every point of a grid.
 
     What Report.verdict says of each point, near the speed of the margin in doubles: those decide where they
@@ -140,6 +139,5 @@ def _refuse_strange(report: Report, given: Mapping[str, Any], grid: Grid, damped
 def grid_for(report: Report, given: Mapping[str, Any], finite: bool = True, damped: bool = False) -> Grid:
     """The grid of the names given, all that a verdict needs and no other."""
     required = (report.secular if damped else report).compared
-    check_family(report.equilibrium, given, required, report.parameters,
-                 "give a number or an array for each")
+    check_family(report.equilibrium, given, required, report.parameters, "give a number or an array for each")
     return grid_of(given, finite=finite)

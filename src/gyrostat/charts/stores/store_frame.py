@@ -68,14 +68,13 @@ class Frame:
         request, eq = self.request, self.request.report.equilibrium
         scene = [eq.label, eq.system.hamiltonian, eq.system.space.tensor.tolist(), eq.point, eq.relations,
                  eq.domain, eq.eliminated]
+        values = {f"values of {name}": summed(array.astype("<f8").tobytes())
+                  for name, array in zip(request.names, self.arrays)}
+        values |= {f"value of {name}": str(number) for name, number, _ in request.fixed}
+        layers = {"damped": request.damped, "rung": request.windowed}
         return {"format": STORE_FORMAT, "equilibrium": summed(str(scene).encode()),
-                "axes": list(request.names),
-                **{f"values of {name}": summed(array.astype("<f8").tobytes())
-                   for name, array in zip(request.names, self.arrays)},
-                **{f"value of {name}": str(number) for name, number, _ in request.fixed},
-                "margins": request.margins, "block": list(self.block),
-                **({"damped": True} if request.damped else {}),
-                **({"rung": True} if request.windowed else {})}
+                "axes": list(request.names), **values, "margins": request.margins, "block": list(self.block),
+                **{name: True for name, wanted in layers.items() if wanted}}
 
     @property
     def counts(self) -> tuple[int, ...]:
@@ -166,13 +165,11 @@ class Frame:
                     attributes["coordinates"] = " ".join(name for name, _, _ in self.request.fixed)
                 verdict = name in ("verdict", "damped", "rung")
                 group.create_array(name, shape=tuple(map(len, self.arrays)), chunks=self.block,
-                                   compressors=checked,
-                                   dtype="int8" if verdict else "float64",
+                                   compressors=checked, dtype="int8" if verdict else "float64",
                                    fill_value=-128 if verdict else 0.0,
                                    dimension_names=self.request.names, attributes=attributes)
             group.create_array("complete", shape=(prod(self.counts),), chunks=(1,), dtype="uint64",
-                               fill_value=0, compressors=None,
-                               dimension_names=("block",),
+                               fill_value=0, compressors=None, dimension_names=("block",),
                                attributes={"long_name": "checksum of the chunks of a block, 0: not written"})
             describe(new, self.identity)
             for place in (new, *new.rglob("*")):
