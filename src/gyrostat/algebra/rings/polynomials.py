@@ -6,6 +6,7 @@ one denominator, so that no fraction is ever simplified on the way.
 """
 from collections.abc import Iterable, Sequence, Set
 from functools import reduce
+from math import prod
 from typing import Any
 
 from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
@@ -89,10 +90,8 @@ class Ring:
             factors = [self.fraction(exponentials)]
         else:
             factors = [self._known(node)]
-        top, bottom = self.one, self.one
-        for numerator, denominator in factors:
-            top, bottom = top * numerator, bottom * denominator
-        return top, bottom
+        return prod((top for top, _ in factors), start=self.one), prod(
+            (bottom for _, bottom in factors), start=self.one)
 
     def _known(self, node: Expr) -> tuple[fmpq_mpoly, fmpq_mpoly]:
         """What a generator is."""

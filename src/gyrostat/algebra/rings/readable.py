@@ -7,6 +7,7 @@ from sympy import Add, Expr, ImmutableMatrix, Mul, Pow, Symbol
 from ...notation import order
 from ..enclosures.rationals import to_sympy
 from .polynomials import Ring, cancel
+from .rational_functions import RationalFunction
 
 
 @lru_cache(maxsize=1024)
@@ -33,11 +34,9 @@ def split(entry: Expr) -> Expr:
     top, bottom = cancel(*ring.fraction(entry))
     groups: dict[str, tuple[fmpq_mpoly, fmpq_mpoly]] = {}
     for exponents, coefficient in ring.reduce(top).to_dict().items():
-        numerator, denominator = cancel(top.context().from_dict({exponents: coefficient}), bottom)
-        scale = denominator.leading_coefficient()
-        numerator, denominator = numerator / scale, denominator / scale
-        groups[str(denominator)] = (groups.get(str(denominator), (ring.zero, ring.zero))[0] + numerator,
-                                    denominator)
+        part = RationalFunction(top.context().from_dict({exponents: coefficient}), bottom)
+        known, _ = groups.get(str(part.bottom), (ring.zero, ring.zero))
+        groups[str(part.bottom)] = known + part.top, part.bottom
     return Add(*(_quotient(ring, *group) for group in groups.values()))
 
 
