@@ -12,7 +12,7 @@ from sympy import CRootOf, Derivative, Dummy, Expr, Integer, Rational, Subs, Sym
 from ...errors import ScopeError, brief
 from ..enclosures.algebraic import is_algebraic, separation
 from ..enclosures.balls import ball
-from ..enclosures.rationals import to_flint, to_sympy
+from ..enclosures.rationals import to_sympy
 from ..rings.polynomials import Ring
 from .transcendental import vanishes
 
@@ -61,7 +61,8 @@ class Point(dict[Symbol, Expr]):
     def __init__(self, numbers: Mapping[Symbol, Expr], doubt: str = ""):
         super().__init__(numbers)
         self.doubt = doubt
-        self.rational = {s: to_flint(x) for s, x in self.items() if isinstance(x, Rational)}
+        # for each verdict: without the call of to_flint
+        self.rational = {s: fmpq(x.p, x.q) for s, x in self.items() if isinstance(x, Rational)}
 
     def rational_at(self, symbols: Sequence[Symbol]) -> list[fmpq] | None:
         """The numbers of some symbols, None where one is not given or not rational."""

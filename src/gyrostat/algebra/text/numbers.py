@@ -89,7 +89,7 @@ def exact_number(value: Any, name: str = "value") -> Expr:
     (100*pi, 1/40)
     """
     if type(value) in (int, Fraction):                     # by far the most
-        return _bounded(to_sympy(value), name)
+        return _bounded(Rational(value.numerator, value.denominator), name)
     if getattr(value, "shape", None) == () and hasattr(value, "item") and not getattr(value, "mask", False):
         value = value.item()
     value = text_of(value)
