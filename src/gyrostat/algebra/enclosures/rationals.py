@@ -13,9 +13,9 @@ def to_flint(number: Rational | Fraction | float) -> fmpq:
     >>> to_flint(Rational(3, 4)) + to_flint(Fraction(1, 8)) + to_flint(0.125)
     1
     """
-    if isinstance(number, float):
-        return fmpq(*number.as_integer_ratio())
-    return fmpq(number.numerator, number.denominator)
+    if isinstance(number, Rational):
+        return fmpq(number.p, number.q)
+    return fmpq(*number.as_integer_ratio())
 
 
 def to_sympy(number: fmpq | Fraction | float) -> Rational:
@@ -26,6 +26,6 @@ def to_sympy(number: fmpq | Fraction | float) -> Rational:
     >>> to_sympy(fmpq(6, 8)), to_sympy(0.5)
     (3/4, 1/2)
     """
-    if isinstance(number, float):
-        return Rational(*number.as_integer_ratio())
-    return Rational(int(number.numerator), int(number.denominator))
+    if isinstance(number, fmpq):
+        return Rational(int(number.p), int(number.q))
+    return Rational(*number.as_integer_ratio())

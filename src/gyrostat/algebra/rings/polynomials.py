@@ -6,7 +6,6 @@ one denominator, so that no fraction is ever simplified on the way.
 """
 from collections.abc import Iterable, Sequence, Set
 from functools import reduce
-from math import prod
 from typing import Any
 
 from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
@@ -90,8 +89,10 @@ class Ring:
             factors = [self.fraction(exponentials)]
         else:
             factors = [self._known(node)]
-        return prod((top for top, _ in factors), start=self.one), prod(
-            (bottom for _, bottom in factors), start=self.one)
+        top, bottom = self.one, self.one
+        for numerator, denominator in factors:
+            top, bottom = top * numerator, bottom * denominator
+        return top, bottom
 
     def _known(self, node: Expr) -> tuple[fmpq_mpoly, fmpq_mpoly]:
         """What a generator is."""

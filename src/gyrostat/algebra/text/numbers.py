@@ -9,7 +9,6 @@ from sympy import CRootOf, Expr, Float, Rational, S
 
 from ...errors import ExpressionError, ValuesError, brief
 from ...notation import own, symbol
-from ..enclosures.rationals import to_sympy
 from ..rings.subexpressions import occurring
 from .bounded_parts import enclosure
 from .quantities import in_si, text_of
@@ -113,7 +112,7 @@ def exact_number(value: Any, name: str = "value") -> Expr:
         raise ValuesError(f"{name} = {brief(value)} is a {type(value).__name__}, not a real number: give "
                           "an int, Fraction, float, SymPy number or a string like '1/2'")
     if isinstance(value, numbers.Rational):
-        return _bounded(to_sympy(value), name)
+        return _bounded(Rational(int(value.numerator), int(value.denominator)), name)
     try:
         ratio = Rational(*map(int, value.as_integer_ratio()))
     except (OverflowError, ValueError, AttributeError):
