@@ -13,7 +13,7 @@ from gyrostat.charts.signs.grid_signs import UNKNOWN, ArraySigns
 def signs_of(expression, values, backend="numpy", points=100, finite=True):
     """The signs over the grid of the values, in blocks."""
     grid = grid_of(values, finite=finite)
-    found, result = ArraySigns(expression, grid, backend, []), np.full(grid.merged, 9, dtype=np.int8)
+    found, result = ArraySigns(expression, grid, backend), np.full(grid.merged, 9, dtype=np.int8)
     for tile in grid.blocks(points):
         for block in tile:
             with np.errstate(all="ignore"):

@@ -1,8 +1,6 @@
 """Programs in floats and in fractions."""
 import math
-import operator
 from fractions import Fraction
-from types import SimpleNamespace
 
 import numpy as np
 from hypothesis import strategies as st
@@ -10,8 +8,6 @@ from hypothesis import strategies as st
 import gyrostat as gs
 from gyrostat.charts.signs.rounding import SMALLEST, error_bound, rounded
 
-FRACTIONS = SimpleNamespace(add=operator.add, subtract=operator.sub, multiply=operator.mul,
-                            negative=operator.neg)
 LEAVES = tuple(gs.symbol(f"x{n}") for n in range(4))
 x, y, z, w = LEAVES
 NOWHERE = frozenset()
@@ -27,13 +23,12 @@ floats = st.one_of(ordinary, ordinary, large, small, subnormal,
 def in_floats(program, values):
     """Every step in doubles."""
     with np.errstate(all="ignore"):
-        return program.run(lambda leaf: np.float64(values[leaf]), lambda c: np.float64(rounded(c)[0]), np)
+        return program.run(lambda leaf: np.float64(values[leaf]), lambda c: np.float64(rounded(c)[0]))
 
 
 def exactly(program, values):
     """The result in Fractions."""
-    return program.run(lambda leaf: Fraction(values[leaf]), lambda c: Fraction(int(c.p), int(c.q)),
-                       FRACTIONS)[-1]
+    return program.run(lambda leaf: Fraction(values[leaf]), lambda c: Fraction(int(c.p), int(c.q)))[-1]
 
 
 def holds(program, floats, exact, roundings, computed=False):

@@ -23,5 +23,4 @@ __all__ = ["BoxDecision", "certified_chart", "CertifiedChart", "certify_box", "c
 __getattr__, __dir__ = later(__name__, {
     "signs.verdict_arrays": "verdicts", "chart": "stability_chart",
     "signs.compiled_margins": "CompiledMargin compile_margin",
-    "boxes.certified_boxes": "BoxDecision CertifiedChart certified_chart certify_box",
-})
+    "boxes.certified_boxes": "BoxDecision CertifiedChart certified_chart certify_box"})

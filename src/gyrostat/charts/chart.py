@@ -162,6 +162,5 @@ def _axis(name: str, values: Iterable[Any]) -> Array:
     if not on.all():
         place = int(np.argmin(on)) + 1
         raise ValuesError(f"the values of {name} are not strictly monotonic: {array[place - 1]} is "
-                          f"followed by {array[place]} at index "
-                          f"{place}; sort them, each once")
+                          f"followed by {array[place]} at index {place}; sort them, each once")
     return array

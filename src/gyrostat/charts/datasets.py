@@ -87,25 +87,20 @@ def variable_attributes(name: str, request: Request) -> dict[str, Any]:
 
 def coordinate_attributes(name: str, eq: Equilibrium) -> dict[str, str]:
     """Meaning, units and LaTeX of a parameter."""
-    entry, derivative = NOTATION.get(name), jet(name)
-    if entry:
-        meaning = entry.meaning
-    else:
-        meaning = f"derivative {name} of U" if derivative else f"parameter {name}"
-    dimension = dimension_of(name)
+    entry, dimension = NOTATION.get(name), dimension_of(name)
+    meaning = entry.meaning if entry else f"derivative {name} of U" if jet(name) else f"parameter {name}"
     unit = {"units": units(*dimension)} if dimension else {}
     return {"long_name": meaning, "latex": typeset(name, eq.at)} | unit
 
 
 def _attributes(eq: Equilibrium) -> dict[str, str]:
     potential = eq.system.potential
-    relations = (
-        {"relations": "; ".join(f"{name} = {value}" for name, value in eq.relations)} if eq.relations else {}
-    )
-    return {"Conventions": "CF-1.11", "title": f"Stability of {eq.label}", "equilibrium": eq.label,
-            "potential": str(potential.expression) if potential else "none",
-            **({"potential_latex": tex(potential.expression, Names())}
-               if potential and potential.given and not by_gradient_alone(eq.system) else {}),
-            **relations,
-            **({"eliminated": ", ".join(eq.eliminated)} if eq.eliminated else {}),
-            "gyrostat_version": __version__}
+    found = {"Conventions": "CF-1.11", "title": f"Stability of {eq.label}", "equilibrium": eq.label,
+             "potential": str(potential.expression) if potential else "none"}
+    if potential and potential.given and not by_gradient_alone(eq.system):
+        found["potential_latex"] = tex(potential.expression, Names())
+    if eq.relations:
+        found["relations"] = "; ".join(f"{name} = {value}" for name, value in eq.relations)
+    if eq.eliminated:
+        found["eliminated"] = ", ".join(eq.eliminated)
+    return found | {"gyrostat_version": __version__}

@@ -50,6 +50,16 @@ class Grid:
         """Axes of the merged grid along which each symbol varies."""
         return {s: frozenset(i for i, n in enumerate(a.shape) if n > 1) for s, a in self.values.items()}
 
+    @cached_property
+    def full(self) -> Axes:
+        """Axes of the merged grid along which it has more than one point."""
+        return frozenset(i for i, n in enumerate(self.merged) if n > 1)
+
+    @property
+    def whole(self) -> Slices:
+        """All of the merged grid as one block."""
+        return tuple(slice(0, n) for n in self.merged)
+
     def strange(self, name: Symbol) -> Array | None:
         """Where the numbers of a name are NaN or infinite, None: nowhere."""
         if name in self.exact:
@@ -84,14 +94,9 @@ class Grid:
 
     def at(self, block: Slices, rows: Array, columns: Array) -> "Grid":
         """The points at these rows and columns of a block, in a row."""
-        def gathered(array: Array) -> Array:
-            here = last(cut(array, block))
-            if here.size > 1:                              # an axis along which it is constant has one place
-                here = here[rows if here.shape[0] > 1 else 0, columns if here.shape[1] > 1 else 0]
-            return here.reshape(1, -1)
-
         count = len(rows)
-        return Grid((count,), (1, count), *({s: gathered(a) for s, a in arrays.items()}
+        return Grid((count,), (1, count), *({s: gathered(last(cut(a, block)), rows, columns).reshape(1, -1)
+                                             for s, a in arrays.items()}
                                             for arrays in (self.values, self.exact)))
 
     def numbers(self, symbols: Collection[Symbol]) -> Iterable[tuple[Any, ...]]:
@@ -108,6 +113,13 @@ class Grid:
 def cut(array: Array, block: Slices) -> Array:
     """The part of an array in a block."""
     return array[tuple(s if n > 1 else slice(None) for s, n in zip(block, array.shape))]
+
+
+def gathered(array: Array, rows: Array, columns: Array) -> Array:
+    """Entries of rows and columns in a row; an axis along which the array is constant has one place."""
+    if array.size > 1:
+        array = array[rows if array.shape[0] > 1 else 0, columns if array.shape[1] > 1 else 0]
+    return array.reshape(-1)
 
 
 def places(where: Array) -> tuple[Array, Array]:
@@ -156,9 +168,9 @@ def grid_of(values: Mapping[str, Any], kind: Any = np.float64, finite: bool = Tr
 
     def merge(array: Array) -> Array:
         full = (1,) * (len(shape) - array.ndim) + array.shape
-        return array.reshape([int(np.prod([full[i] for i in group], dtype=int)) for group in groups])
+        return array.reshape([prod(full[i] for i in group) for group in groups])
 
-    merged = tuple(int(np.prod([shape[i] for i in group], dtype=int)) for group in groups)
+    merged = tuple(prod(shape[i] for i in group) for group in groups)
     return _widened(Grid(shape, merged, {s: merge(floats) for s, (floats, _) in read.items()},
                          {s: merge(exact) for s, (_, exact) in read.items() if exact is not None}))
 
@@ -199,9 +211,9 @@ def _apart(grid: Grid, place: int) -> bool:
 def _base(array: Array) -> Array:
     """An array without the axes along which it was broadcast before."""
     repeated = [step == 0 and n > 1 for step, n in zip(array.strides, array.shape)]
-    return (
-        array[tuple(slice(0, 1) if again else slice(None) for again in repeated)] if any(repeated) else array
-    )
+    if not any(repeated):
+        return array
+    return array[tuple(slice(0, 1) if again else slice(None) for again in repeated)]
 
 
 def _groups(shape: tuple[int, ...], shapes: list[tuple[int, ...]]) -> list[list[int]]:

@@ -23,16 +23,15 @@ def check_plain(values: Mapping[str, Any]) -> None:
         if mask.any():
             place = tuple(int(i) for i in np.argwhere(mask)[0])
             raise ValuesError(f"{name}{list(place) if place else ''} is masked, a verdict needs a number: "
-                              "leave it out, or pass "
-                              f"{name}.filled(np.nan), which verdicts(…, invalid=\"mark\") marks")
+                              f"leave it out, or pass {name}.filled(np.nan), which "
+                              "verdicts(…, invalid=\"mark\") marks")
         if not (labels := _labels(value)):
             continue
         first = first or (name, labels)
         if not _agree(labels, first[1]):
             raise ValuesError(f"{name} and {first[0]} differ in their labels, {_shown(labels)} and "
-                              f"{_shown(first[1])}, but arrays are "
-                              "combined by the places of their numbers: align them first, or pass their "
-                              ".values in shapes that broadcast")
+                              f"{_shown(first[1])}, but arrays are combined by the places of their "
+                              "numbers: align them first, or pass their .values in shapes that broadcast")
 
 
 def _labels(value: Any) -> Labels:

@@ -31,13 +31,11 @@ class Progress:
         if not self.shown or monotonic() < self.next:
             return
         taken()
-        filled = WIDTH * done // total if total else 0
-        line = (
-            f"{name:<12} [{'#' * filled}{'.' * (WIDTH - filled)}] {done}/{total}"
-            if total
-            else f"{name:<12} {done}"
-        )
-        self.draw(line)
+        if total:
+            filled = WIDTH * done // total
+            self.draw(f"{name:<12} [{'#' * filled}{'.' * (WIDTH - filled)}] {done}/{total}")
+        else:
+            self.draw(f"{name:<12} {done}")
         self.next = monotonic() + PAUSE
 
     def draw(self, line: str) -> None:

@@ -3,7 +3,7 @@
 `models` chooses the smallest model that a scene allows, each a `route`: a body of revolution in U(k3) (`top`;
 about any axis a `turned_motion`) or a free body (`free`), both exact; any other scene is `integrated`. A
 `motion` answers at any times, in doubles or in more digits (`states_in_digits`): states, attitudes and
-angular velocities (`columns`), what is `conserved`, `rates`, `librations` of a satellite, a `summary`. Times
+angular velocities (`columns`), `librations` of a satellite, rates and what is conserved (`summary`). Times
 of any length are reduced in two doubles (`periods`); `elliptic` functions stay exact next to a separatrix.
 `confirmation` disturbs an equilibrium and looks at the `excursions`.
 """

@@ -22,7 +22,7 @@ from ..stability.report.analysis import analyze
 from ..stability.report.report import Report
 from ..stability.theorems.boundary import Boundary
 from .excursions import SLOW, TURNED, Distance, excursion
-from .models import motion, with_numbers
+from .models import free_names, motion, with_numbers
 
 SIZES = tuple(Rational(1, 10**d) for d in range(2, 9))
 # directions with nothing special to them
@@ -103,8 +103,8 @@ class Confirmation:
         if self.failure:
             return self.failure
         return (f"the excursions go as the power {self.slope:.2f} of the perturbation, {self.expected} is "
-                "expected for small ones: "
-                "the equilibrium is too close to a boundary for these sizes, give smaller ones")
+                "expected for small ones: the equilibrium is too close to a boundary for these sizes, give "
+                "smaller ones")
 
 
 @checked
@@ -183,8 +183,7 @@ def confirm(report: Report, values: Mapping[str, Any], sizes: Sequence[Any] = SI
     small = [float(step) for step in steps[:len(far)]]
     slope = float(np.polyfit(np.log(small[-3:]), np.log(far[-3:]), 1)[0]) if len(far) > 2 else math.nan
     return Confirmation(decision, tuple(small), tuple(far), slope, _expected(report, decision, numbers),
-                        tuple(sorted(routes)), complete,
-                        failure)
+                        tuple(sorted(routes)), complete, failure)
 
 
 def moved(point: Sequence[Expr], turn: ImmutableMatrix, change: ImmutableMatrix) -> tuple[Expr, ...]:
@@ -206,10 +205,7 @@ def moved(point: Sequence[Expr], turn: ImmutableMatrix, change: ImmutableMatrix)
 
 def _scene_numbers(eq: Equilibrium, numbers: Point) -> dict[str, Expr]:
     """The numbers of the body and of U, an eliminated one among them."""
-    scene = eq.system
-    used = scene.hamiltonian.free_symbols.union(*(c.free_symbols for c in scene.space.casimirs))
-    found = {s.name: evaluate(eq.insert(s), numbers)
-             for s in sorted(used - set(scene.space.coordinates), key=str)}
+    found = {s.name: evaluate(eq.insert(s), numbers) for s in free_names(eq.system)}
     if missing := [name for name, value in found.items() if value.free_symbols]:
         raise ValuesError(f"a motion from {eq.label} needs {', '.join(missing)}, a verdict may not: give a "
                           "number for each")

@@ -3,6 +3,7 @@
 Sums of positive terms, down to m1 = 0.
 """
 import math
+from collections.abc import Iterable
 from functools import lru_cache
 from typing import Any, NamedTuple
 
@@ -71,8 +72,12 @@ def landen(complement: float) -> Landen:
 
 def raised(sine: Any, cosine: Any, steps: Landen) -> tuple[Any, Any, Any]:
     """(sn, cn, dn) at abs(u) ≤ K from the sine and cosine of π u/2K, numbers or arrays."""
-    sn, cn, dn = sine, cosine, 1.0
-    for a, b, mean in steps.levels:
+    return _ascended(sine, cosine, 1.0, steps.levels)
+
+
+def _ascended(sn: Any, cn: Any, dn: Any, levels: Iterable[tuple[Any, Any, Any]]) -> tuple[Any, Any, Any]:
+    """The functions of the first parameter from those of the last, by a, b and their mean at each step."""
+    for a, b, mean in levels:
         cosine, sine = mean * cn * cn, sn * sn
         below = cosine + a * sine
         sn, cn, dn = a * sn / below, mean * cn * dn / below, (cosine + b * sine) / below
@@ -109,12 +114,8 @@ def jacobi_ball(u: arb, complement: arb, steps: list[tuple[arb, arb]] | None = N
     a, b = steps[-1]
     phase, parameter = a * u, 1 - (b / a) * (b / a)
     nothing = arb(0, 1) * parameter * (1 + abs(phase))
-    sn, cn, dn = (phase + nothing).sin(), (phase + nothing).cos(), 1 + nothing
-    for (a, b), (mean, _) in zip(steps[-2::-1], steps[:0:-1]):
-        cosine, sine = mean * cn * cn, sn * sn
-        below = cosine + a * sine
-        sn, cn, dn = a * sn / below, mean * cn * dn / below, (cosine + b * sine) / below
-    return sn, cn, dn
+    return _ascended((phase + nothing).sin(), (phase + nothing).cos(), 1 + nothing,
+                     ((a, b, mean) for (a, b), (mean, _) in zip(steps[-2::-1], steps[:0:-1])))
 
 
 def quarter_period(complement: arb) -> arb:

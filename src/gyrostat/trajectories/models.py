@@ -27,8 +27,7 @@ MOST_DIGITS = 10_000
 
 @checked
 def motion(scene: System, state: Sequence[Any], values: Mapping[str, Any] | None = None, *,
-           precision: int | None = None,
-           tolerance: float | None = None) -> Motion:
+           precision: int | None = None, tolerance: float | None = None) -> Motion:
     """The motion of a scene from a state on, in the smallest model that has it.
 
     A body of revolution in U(k3) by elliptic functions (U of degree at most 2) or by one spectral quadrature:
@@ -78,8 +77,7 @@ def motion(scene: System, state: Sequence[Any], values: Mapping[str, Any] | None
     scene = with_numbers(scene, values or {})
     if len(state) != len(scene.space.coordinates):
         raise ValuesError(f"the state has {len(state)} numbers, the scene {len(scene.space.coordinates)} "
-                          "coordinates: give "
-                          f"{', '.join(map(str, scene.space.coordinates))}")
+                          f"coordinates: give {', '.join(map(str, scene.space.coordinates))}")
     point = tuple(exact_number(x, s.name) for x, s in zip(state, scene.space.coordinates))
     if precision is not None and not 1 <= precision <= MOST_DIGITS:
         raise ValuesError(f"precision = {brief(precision)}: give a number of decimal digits up to "
@@ -115,17 +113,21 @@ def _route(scene: System, point: tuple[Expr, ...], bits: int, tolerance: float |
 
 def with_numbers(scene: System, values: Mapping[str, Any]) -> System:
     """The scene with numbers for its names."""
-    free = scene.hamiltonian.free_symbols.union(*(c.free_symbols for c in scene.space.casimirs)) - set(
-        scene.space.coordinates
-    )
+    free = free_names(scene)
     if scene.unspecified:
         raise ScopeError("U(k3) is unspecified: give it to axial_potential, a motion needs numbers")
-    check_names(values, sorted(s.name for s in free), "the scene")
+    check_names(values, [s.name for s in free], "the scene")
     not_mixed(values.items())
-    numbers = {s: exact_number(values[s.name], s.name) for s in sorted(free, key=str)}
+    numbers = {s: exact_number(values[s.name], s.name) for s in free}
     if scene.potential is not None:
         scene.potential.check_size(numbers)
     return _inserted(scene, tuple(numbers.items())) if values else scene
+
+
+def free_names(scene: System) -> list[Symbol]:
+    """The names for which a motion needs numbers, in order."""
+    used = scene.hamiltonian.free_symbols.union(*(c.free_symbols for c in scene.space.casimirs))
+    return sorted(used - set(scene.space.coordinates), key=str)
 
 
 @lru_cache(maxsize=64)

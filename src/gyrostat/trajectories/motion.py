@@ -6,17 +6,15 @@ import numpy as np
 from sympy import Expr
 
 from .._cached import cached_property
-from ..algebra.enclosures.floats import Array, row
+from ..algebra.enclosures.floats import Array, doubles, row
 from ..arguments import checked
 from ..errors import optional
 from ..mechanics.scenes.system import System
 from ..stability.criteria.number_notes import state_note
 from .columns import columns, dataset, euler, turns_of
-from .conserved import conserved, lost
-from .rates import frequencies, gained, period, rate
 from .route import Route
-from .states_in_digits import finite_times, states_in_digits, states_in_doubles
-from .summary import attributes, summary
+from .states_in_digits import states_in_digits, states_in_doubles
+from .summary import attributes, conserved, frequencies, gained, lost, period, rate, summary
 
 
 class Motion:
@@ -73,7 +71,7 @@ class Motion:
         -------
         array, shape (..., 3, 3)
         """
-        return np.asarray(self._route.attitude(finite_times(t)))
+        return np.asarray(self._route.attitude(doubles(t, "the times")))
 
     def angles(self, t: Any) -> Array:
         """Euler's angles φ, θ, ψ (z-x-z), φ and ψ between −π and π; where sin θ = 0, ψ = 0.

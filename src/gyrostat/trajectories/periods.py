@@ -16,7 +16,7 @@ def pair(x: arb) -> Twofold:
 
     Examples
     --------
-    >>> pair(arb(1) / 3)[0] == 1 / 3
+    >>> pair(arb(1) / 3).high == 1 / 3
     True
     """
     with own_precision(256):

@@ -26,14 +26,9 @@ def in_digits(x: arb, digits: int) -> mpmath.mpf:
     return mpmath.mpf((mantissa, exponent), dps=digits)
 
 
-def finite_times(t: Any) -> Array:
-    """Times of any shape in doubles."""
-    return doubles(t, "the times")
-
-
 def states_in_doubles(route: Route, start: Array, t: Any) -> Array:
     """The states at times of any shape; at the time 0 as it was given."""
-    times = finite_times(t)
+    times = doubles(t, "the times")
     states = route.state(times)
     if not times.all():
         states[times == 0] = start

@@ -1,12 +1,83 @@
-"""What is known of a motion: lines to read, and attributes of its table."""
+"""What is known of a motion: what it conserves, its period and mean rates, as lines and as attributes."""
 from collections.abc import Sequence
 from typing import Any
 
-from sympy import Expr, ImmutableMatrix
+import mpmath
+import numpy as np
+from flint import arb
+from sympy import Add, Expr, ImmutableMatrix
 
+from ..algebra.enclosures.floats import Array, in_floats
 from ..mechanics.scenes.system import System
 from ..version import __version__
 from .route import Route
+from .states_in_digits import bits_of, in_digits
+
+
+def conserved(scene: System, state: Sequence[Expr]) -> dict[str, Expr]:
+    """Functions of the coordinates: energy, the Casimirs C1, C2 and the integrals F1, F2 of its level."""
+    found = {"energy": scene.hamiltonian}
+    for letter, functions in (("C", scene.space.casimirs), ("F", scene.integrals_at(state))):
+        found |= {f"{letter}{i}": function for i, function in enumerate(functions, 1)}
+    return found
+
+
+def lost(scene: System, state: Sequence[Expr], states: Array) -> dict[str, float]:
+    """How far each conserved function is off at most from that of the first state, over its largest term.
+
+    Parameters
+    ----------
+    scene : System
+        with its numbers
+    state : sequence of n Expr
+        exact
+    states : array, shape (..., n)
+        in doubles
+    """
+    coordinates, found = scene.space.coordinates, {}
+    values = dict(zip(coordinates, np.moveaxis(states, -1, 0)))
+    exact = dict(zip(coordinates, state))
+    start = {s: np.asarray(float(value)) for s, value in exact.items()}
+    for name, function in conserved(scene, state).items():
+        size = max(abs(float(in_floats(term, np, start))) for term in Add.make_args(function.expand()))
+        off = np.abs(in_floats(function, np, values) - float(function.xreplace(exact)))
+        found[name] = float(np.max(off, initial=0.0)) / (size or 1.0)
+    return found
+
+
+def period(route: Route, digits: int | None) -> Any:
+    """Of the nutation, or of the momentum in a free body [T]; None where there is none."""
+    if digits is None:
+        return route.period
+    found = route.exact_period(bits_of(digits))
+    return None if found is None else in_digits(found, digits)
+
+
+def gained(route: Route, digits: int | None) -> tuple[Any, Any]:
+    """The angles of precession and spin, in a period, or in a unit of time where there is none."""
+    if digits is None:
+        return route.precession, route.spin
+    precession, spin = (in_digits(x, digits) if isinstance(x, arb) else x
+                        for x in route.exact_angles(bits_of(digits)))
+    return precession, spin
+
+
+def rate(angle: Any, route: Route, digits: int | None) -> Any:
+    """An angle gained, by the time in which it is."""
+    if angle is None or not route.period:
+        return angle
+    if digits is None:
+        return angle / route.period
+    with mpmath.workdps(digits):
+        return angle / period(route, digits)
+
+
+def frequencies(route: Route, angles: tuple[Any, Any]) -> dict[str, float]:
+    """2π/period, and the mean rates of the angles gained [1/T], as far as they exist."""
+    cycle = route.period
+    rates = {name: float(angle) / (cycle or 1.0)
+             for name, angle in zip(("precession", "spin"), angles) if angle is not None}
+    return ({"nutation": 2 * np.pi / cycle} if cycle else {}) | rates
 
 
 def summary(route: Route, angles: tuple[Any, Any], note: str) -> str:
@@ -35,8 +106,7 @@ def attributes(scene: System, state: Sequence[Expr], route: Route, energy: float
              "error": route.error, "nodes": route.nodes, "recognised": route.recognised or None}
     inertia = body.inertia
     numbers = {"inertia": inertia.tolist() if isinstance(inertia, ImmutableMatrix) else inertia,
-               "gyrostatic_momentum": body.gyrostatic_momentum,
-               "state": state, "potential": potential.expression if potential else "none",
-               "gyrostat_version": __version__}
+               "gyrostatic_momentum": body.gyrostatic_momentum, "state": state,
+               "potential": potential.expression if potential else "none", "gyrostat_version": __version__}
     return ({name: value for name, value in known.items() if value is not None}
             | {name: str(value) for name, value in numbers.items()})

@@ -13,6 +13,7 @@ from ..mechanics.equilibrium.recognition import Recognition, recognise
 from ..mechanics.scenes.functions_on_sphere import lowest
 from ..mechanics.scenes.principal_axes import principal_axes
 from ..mechanics.scenes.system import System, assemble
+from .columns import euler
 from .free.free_motion import FreeMotion
 from .free.uniform_motion import CONSTANT
 from .periods import double
@@ -49,9 +50,7 @@ class TurnedMotion:
         self._R = np.array([[double(ball(x, CONSTANT)) for x in row] for row in R.tolist()])
         self.name, self.recognised = standard.name, recognised
         self.axis = self._R[2] if recognised else standard.axis
-        first = self._standard.attitude(np.zeros(()))[..., :, :] @ self._R
-        across = np.hypot(first[2, 0], first[2, 1])
-        phi = np.arctan2(first[0, 2], -first[1, 2]) if across else np.arctan2(first[1, 0], first[0, 0])
+        phi = euler(standard.attitude(np.zeros(())) @ self._R)[0]
         c, s = np.cos(phi), np.sin(phi)
         self._upright = np.array([[c, s, 0.0], [-s, c, 0.0], [0.0, 0.0, 1.0]])
 

@@ -116,5 +116,5 @@ def test_exact_sign(expression, point, expected):
 
 def test_exact_sign_needs_rationals_only_near_zero(monkeypatch):
     """Where 128 bits tell the sign, no rational arithmetic is done."""
-    monkeypatch.setattr(arraysigns, "_rational", None)
+    monkeypatch.setattr(arraysigns, "to_flint", None)
     assert PRECISION == 128 and signed(x**2 - y, {x: 1 + 2.0**-52, y: 1.0}) == 1

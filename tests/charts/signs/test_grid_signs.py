@@ -46,7 +46,7 @@ def test_signs_on_grids_are_exact(expression, data, points):
     values = {name: np.array(data.draw(st.lists(floats, min_size=1, max_size=4))).reshape(shape)
               for name, shape in zip("xyz", [(-1, 1, 1), (-1, 1), (-1,)])}
     grid = grid_of(values)
-    found, truth = ArraySigns(expression, grid, "numpy", []), exactly(expression, values).reshape(grid.merged)
+    found, truth = ArraySigns(expression, grid), exactly(expression, values).reshape(grid.merged)
     for tile in grid.blocks(points):
         for block in tile:
             with np.errstate(all="ignore"):
@@ -96,7 +96,7 @@ def test_one_bound_is_enough_for_all_points(columns, expression):
     grid = grid_of(values)
     each = error_bound(program_of(expression, grid.axes), {gs.symbol(n): abs(v) for n, v in values.items()},
                        {})
-    assert (ArraySigns(expression, grid, "numpy", []).bound >= each).all()
+    assert (ArraySigns(expression, grid).bound >= each).all()
 
 
 @pytest.mark.parametrize("backend", BACKENDS)
@@ -144,7 +144,7 @@ def test_no_warning_escapes():
                                  (x * y, 1e-200, 1e-200), (x * y, 0.0, math.inf)):
             grid = grid_of({"x": np.array([u, 1.0, 2.0]), "y": np.array([v, 3.0, 1.0])}, finite=False)
             with np.errstate(all="raise"):
-                ArraySigns(expression, grid, backend, [])(grid.blocks(10)[0][0])
+                ArraySigns(expression, grid, backend)(grid.blocks(10)[0][0])
 
 
 @pytest.mark.slow

@@ -2,9 +2,7 @@
 
 The margin itself, exactly, with the least done for each point, whatever varies along which axes.
 """
-import operator
 from fractions import Fraction
-from types import SimpleNamespace
 
 import pytest
 from hypothesis import given
@@ -15,8 +13,6 @@ import gyrostat as gs
 from gyrostat.charts.signs.straightline import program_of
 
 k3, x, y, z = map(gs.symbol, ("k3", "x", "y", "z"))
-FRACTIONS = SimpleNamespace(add=operator.add, subtract=operator.sub, multiply=operator.mul,
-                            negative=operator.neg)
 SIX = sum(gs.symbol(f"a{n}") * k3**n for n in range(1, 7))
 NUMBERS = sum(Rational(3 * n - 8, 7 + n) * k3**n for n in range(1, 7))
 FIELDS = {"unspecified": gs.axial_potential(), "uniform": gs.uniform_field(),
@@ -59,7 +55,7 @@ def margins():
 
 def run(program, numbers):
     """Every step in Fractions; symbols by name."""
-    return program.run(lambda leaf: numbers[leaf.name], lambda c: Fraction(int(c.p), int(c.q)), FRACTIONS)
+    return program.run(lambda leaf: numbers[leaf.name], lambda c: Fraction(int(c.p), int(c.q)))
 
 
 def inner(program, full):

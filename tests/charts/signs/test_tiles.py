@@ -2,9 +2,7 @@
 depend.
 """
 import math
-import operator
 from fractions import Fraction
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -19,8 +17,6 @@ from gyrostat.charts.signs.tiles import Tiles
 
 NAMES = ("I1", "I3", "k3", "l", "omega")
 SYMBOLS = dict(zip(NAMES, map(gs.symbol, NAMES)))
-FRACTIONS = SimpleNamespace(add=operator.add, subtract=operator.sub, multiply=operator.mul,
-                            negative=operator.neg)
 OPERATIONS = ("add", "subtract", "multiply", "negative")
 shapes = arrays.mutually_broadcastable_shapes(num_shapes=5, max_dims=5, min_side=1, max_side=4)
 
@@ -39,9 +35,8 @@ def whole_numbers(input_shapes, seed):
 
 
 def tiles_over(grid, kind=np.float64):
-    full = frozenset(i for i, n in enumerate(grid.merged) if n > 1)
-    return Tiles(program_of(margin(), grid.axes), full, lambda leaf, block: cut(grid.values[leaf], block),
-                 kind)
+    program = program_of(margin(), grid.axes)
+    return Tiles(program, grid.full, lambda leaf, block: cut(grid.values[leaf], block), kind)
 
 
 def block_by_block(grid, points, kind=np.float64, into=False):
@@ -67,7 +62,7 @@ def test_blocks_of_any_size_are_the_whole(drawn, points, seed, into):
     program = program_of(margin(), {})
     for index in np.ndindex(found.shape):
         at = {s: Fraction(x[index]) for s, x in zip(SYMBOLS.values(), full)}
-        exact = program.run(at.__getitem__, lambda c: Fraction(int(c.p), int(c.q)), FRACTIONS)[-1]
+        exact = program.run(at.__getitem__, lambda c: Fraction(int(c.p), int(c.q)))[-1]
         assert Fraction(float(found[index])) == exact
 
 

@@ -4,7 +4,7 @@ import math
 from collections.abc import Iterable
 from functools import lru_cache
 
-from flint import arb, fmpz_poly
+from flint import arb, fmpq_poly, fmpz_poly
 from sympy import Add, CRootOf, Expr, Integer, Mul, Pow, Rational, cos, cot, csc, pi, sec, sin, tan, totient
 from sympy.polys import Poly
 
@@ -96,7 +96,7 @@ def _conjugates(node: Expr) -> tuple[float, float, int] | None:
     if isinstance(node, Rational):
         return math.log2(abs(int(node.p)) or 1), 0.0, int(node.q)
     if isinstance(node, CRootOf):
-        coefficients = [abs(int(c)) for c in _polynomial(node.poly).coeffs()]
+        coefficients = [abs(int(c)) for c in over_integers(node.poly).coeffs()]
         return math.log2(coefficients[-1] + max(coefficients)), 0.0, coefficients[-1]
     if isinstance(node, TURNS) and turn(node) is None:
         return None
@@ -111,11 +111,8 @@ def _conjugates(node: Expr) -> tuple[float, float, int] | None:
         return sum(u for u, _, _ in given), sum(v for _, v, _ in given), math.prod(w for _, _, w in given)
     if isinstance(node, Add):
         below, whole = sum(v for _, v, _ in given), math.lcm(*(w for _, _, w in given))
-        return (
-            max(u + below - v + math.log2(whole // w) for u, v, w in given) + math.log2(len(given)),
-            below,
-            whole,
-        )
+        above = max(u + below - v + math.log2(whole // w) for u, v, w in given)
+        return above + math.log2(len(given)), below, whole
     if not isinstance(node, Pow) or not isinstance(node.exp, Rational):
         return None
     (u, v, w), n, k = given[0], abs(int(node.exp.p)), int(node.exp.q)
@@ -135,7 +132,7 @@ def real_root(root: CRootOf, precision: int) -> arb:
     By Newton's method from one of half as many bits.
     """
     near = real_root(root, precision // 2) if precision > 128 else _isolated(root, precision)
-    polynomial, slope = _polynomial(root.poly), _polynomial(root.poly).derivative()
+    polynomial, slope = over_integers(root.poly), over_integers(root.poly).derivative()
     with own_precision(precision + 32):
         while near.rad():
             middle = arb(near.mid())
@@ -158,8 +155,12 @@ def _isolated(root: CRootOf, precision: int) -> arb:
 def _real_roots(polynomial: Poly, precision: int) -> list[arb]:
     """All of a polynomial, as to isolate one is to isolate them."""
     with own_precision(precision):
-        found = _polynomial(polynomial).complex_roots()
-    return sorted((x.real for x, _ in found if x.imag == 0), key=arb.mid)
+        return isolated_roots(over_integers(polynomial))
+
+
+def isolated_roots(polynomial: fmpz_poly | fmpq_poly) -> list[arb]:
+    """The different real roots of a polynomial, isolated, from below, at the precision that is set."""
+    return sorted((x.real for x, _ in polynomial.complex_roots() if x.imag == 0), key=arb.mid)
 
 
 def _at(polynomial: fmpz_poly, x: arb) -> arb:
@@ -171,5 +172,6 @@ def _at(polynomial: fmpz_poly, x: arb) -> arb:
 
 
 @lru_cache(maxsize=256)
-def _polynomial(polynomial: Poly) -> fmpz_poly:
+def over_integers(polynomial: Poly) -> fmpz_poly:
+    """A polynomial over ℚ without its denominators."""
     return fmpz_poly([int(c) for c in reversed(polynomial.clear_denoms(convert=True)[1].all_coeffs())])

@@ -1,20 +1,21 @@
 """Ball arithmetic: enclosures of expressions to any precision, and the fractions that describe them."""
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from fractions import Fraction
 from functools import lru_cache
 from types import MappingProxyType
 
 import sympy
-from flint import arb, ctx, fmpq
+from flint import arb, ctx
 from sympy import Add, CRootOf, Expr, Float, Mul, Pow, Rational, Symbol
 
 from .algebraic import real_root
 from .precision import own_precision
+from .rationals import to_flint
 
 FARTHEST = 8192                                        # bits at which a number is told from 0
 NOTHING: Mapping[Symbol, arb] = MappingProxyType({})
-_FUNCTIONS = {name: getattr(arb, name) for name in (
+FUNCTIONS: dict[str, Callable[[arb], arb]] = {name: getattr(arb, name) for name in (
     "exp", "log", "sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "asinh", "acosh",
     "atanh")}
 
@@ -67,7 +68,7 @@ def _ball(node: Expr, values: Mapping[Symbol, arb]) -> arb:
     if isinstance(node, Symbol):
         return values[node]
     if isinstance(node, Rational):
-        return arb(fmpq(int(node.p), int(node.q)))
+        return arb(to_flint(node))
     if isinstance(node, Add):
         return sum((_ball(part, values) for part in node.args), arb(0))
     if isinstance(node, Mul):
@@ -85,7 +86,7 @@ def _ball(node: Expr, values: Mapping[Symbol, arb]) -> arb:
         return real_root(node, ctx.prec)
     if isinstance(node, Enclosed):
         return node.enclosed(ctx.prec)
-    if type(node).__name__ in _FUNCTIONS and len(node.args) == 1:
+    if type(node).__name__ in FUNCTIONS and len(node.args) == 1:
         return _function(node, values) if values else _constant(node, ctx.prec)
     return arb("nan")
 
@@ -97,7 +98,7 @@ def _constant(node: Expr, precision: int) -> arb:
 
 
 def _function(node: Expr, values: Mapping[Symbol, arb]) -> arb:
-    return _FUNCTIONS[type(node).__name__](_ball(node.args[0], values))
+    return FUNCTIONS[type(node).__name__](_ball(node.args[0], values))
 
 
 def _power(node: Pow, values: Mapping[Symbol, arb]) -> arb:
@@ -116,8 +117,7 @@ def _root(base: arb, n: int) -> arb:
 
 def interval(low: Fraction, high: Fraction | None = None) -> arb:
     """The ball that reaches from one number to another, at the precision that is set."""
-    ends = [arb(fmpq(x.numerator, x.denominator)) for x in (low, low if high is None else high)]
-    return ends[0].union(ends[1])
+    return arb(to_flint(low)).union(arb(to_flint(low if high is None else high)))
 
 
 def dyadic(enclosure: arb, small: Fraction) -> Fraction | None:

@@ -1,18 +1,15 @@
 """Sums of two doubles, the second below the last bit of the first: arithmetic of 106 bits on arrays."""
-from typing import Any, NamedTuple
+from dataclasses import dataclass
+from typing import Any
 
 SPLITTER = 2.0**27 + 1
 
 
-class Twofold(NamedTuple):
-    """A number, or an array of numbers, as the sum of two doubles, 106 bits of it."""
+@dataclass(frozen=True)
+class Twofold:
+    """A number, or an array of numbers, as the sum of two doubles, 106 bits of it.
 
-    high: Any
-    low: Any
-
-
-class TwofoldArithmetic:
-    """Sums of two doubles, for straight-line programs; relative errors of some 2⁻¹⁰⁴ where nothing cancels.
+    Sums and products have relative errors of some 2⁻¹⁰⁴ where nothing cancels.
 
     References
     ----------
@@ -20,58 +17,55 @@ class TwofoldArithmetic:
 
     Examples
     --------
-    >>> import numpy as np
-    >>> one, three = (Twofold(np.float64(n), np.float64(0)) for n in (1, 3))
-    >>> third = Twofold(np.float64(1 / 3), np.float64(1 / 54043195528445952))
-    >>> TwofoldArithmetic.subtract(TwofoldArithmetic.multiply(third, three), one)
-    Twofold(high=np.float64(0.0), low=np.float64(0.0))
+    >>> third = Twofold(1 / 3, 1 / 54043195528445952)
+    >>> third * Twofold(3.0, 0.0) - Twofold(1.0, 0.0)
+    Twofold(high=0.0, low=0.0)
     """
 
-    @staticmethod
-    def add(a: Twofold, b: Twofold) -> Twofold:
-        high, error = two_sum(a.high, b.high)
-        low, rest = two_sum(a.low, b.low)
+    high: Any
+    low: Any
+
+    def __add__(self, other: "Twofold") -> "Twofold":
+        high, error = two_sum(self.high, other.high)
+        low, rest = two_sum(self.low, other.low)
         high, error = _quick_two_sum(high, error + low)
-        return _quick_two_sum(high, error + rest)
+        return Twofold(*_quick_two_sum(high, error + rest))
 
-    @staticmethod
-    def subtract(a: Twofold, b: Twofold) -> Twofold:
-        return TwofoldArithmetic.add(a, TwofoldArithmetic.negative(b))
+    def __neg__(self) -> "Twofold":
+        return Twofold(-self.high, -self.low)
 
-    @staticmethod
-    def multiply(a: Twofold, b: Twofold) -> Twofold:
-        high, error = two_product(a.high, b.high)
-        return _quick_two_sum(high, error + (a.high * b.low + a.low * b.high))
+    def __sub__(self, other: "Twofold") -> "Twofold":
+        return self + -other
 
-    @staticmethod
-    def negative(a: Twofold) -> Twofold:
-        return Twofold(-a.high, -a.low)
+    def __mul__(self, other: "Twofold") -> "Twofold":
+        high, error = two_product(self.high, other.high)
+        return Twofold(*_quick_two_sum(high, error + (self.high * other.low + self.low * other.high)))
 
 
-def two_sum(a: Any, b: Any) -> Twofold:
+def two_sum(a: Any, b: Any) -> tuple[Any, Any]:
     """a + b = s + e, exactly: Knuth's two-sum, s the rounded sum."""
     s = a + b
     t = s - a
-    return Twofold(s, (a - (s - t)) + (b - t))
+    return s, (a - (s - t)) + (b - t)
 
 
-def two_product(a: Any, b: Any) -> Twofold:
+def two_product(a: Any, b: Any) -> tuple[Any, Any]:
     """a b = p + e, exactly: Dekker's product, p the rounded one."""
     p = a * b
     (a1, a2), (b1, b2) = _split(a), _split(b)
-    return Twofold(p, ((a1 * b1 - p) + a1 * b2 + a2 * b1) + a2 * b2)
+    return p, ((a1 * b1 - p) + a1 * b2 + a2 * b1) + a2 * b2
 
 
-def scaled(x: Any, factor: Twofold) -> Twofold:
+def scaled(x: Any, factor: Twofold) -> tuple[Any, Any]:
     """x factor for doubles x: the rounded product with high, and what it lacks, low included."""
     rounded, error = two_product(x, factor.high)
-    return Twofold(rounded, error + x * factor.low)
+    return rounded, error + x * factor.low
 
 
-def _quick_two_sum(a: Any, b: Any) -> Twofold:
+def _quick_two_sum(a: Any, b: Any) -> tuple[Any, Any]:
     """The two-sum where abs(a) ≥ abs(b)."""
     s = a + b
-    return Twofold(s, b - (s - a))
+    return s, b - (s - a)
 
 
 def _split(a: Any) -> tuple[Any, Any]:

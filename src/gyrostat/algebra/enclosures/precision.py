@@ -11,15 +11,20 @@ MOST = 2**24                                           # bits
 ONE_AT_A_TIME = threading.RLock()                      # held by every computation of ours with enclosures
 
 
-def doubled(bits: int) -> list[int]:
-    """So many bits, and twice as often as it is worth while before a number is asked for as an expression.
+def doubled(bits: int, most: int | None = None) -> Iterator[int]:
+    """So many bits, and twice as often as they are not above the most.
+
+    Default are four times, as is worth while before a number is asked for as an expression.
 
     Examples
     --------
-    >>> doubled(100)
+    >>> list(doubled(100))
     [100, 200, 400, 800, 1600]
     """
-    return [bits * 2**n for n in range(5)]
+    most = most or 16 * bits
+    while bits <= most:
+        yield bits
+        bits *= 2
 
 
 @contextmanager

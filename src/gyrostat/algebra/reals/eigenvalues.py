@@ -4,8 +4,6 @@ from typing import Any
 
 from flint import fmpq, fmpq_poly
 
-ZERO = fmpq_poly([0])
-
 
 class Ring:
     """Q[x, m] modulo a polynomial in x, and m² = a number.

@@ -12,6 +12,7 @@ from sympy import CRootOf, Derivative, Dummy, Expr, Integer, Rational, Subs, Sym
 from ...errors import ScopeError, brief
 from ..enclosures.algebraic import is_algebraic, separation
 from ..enclosures.balls import ball
+from ..enclosures.rationals import to_sympy
 from ..rings.polynomials import Ring
 from .transcendental import vanishes
 
@@ -60,7 +61,8 @@ class Point(dict[Symbol, Expr]):
     def __init__(self, numbers: Mapping[Symbol, Expr], doubt: str = ""):
         super().__init__(numbers)
         self.doubt = doubt
-        self.rational = {s: fmpq(int(x.p), int(x.q)) for s, x in self.items() if isinstance(x, Rational)}
+        # for each verdict: without the call of to_flint
+        self.rational = {s: fmpq(x.p, x.q) for s, x in self.items() if isinstance(x, Rational)}
 
     def rational_at(self, symbols: Sequence[Symbol]) -> list[fmpq] | None:
         """The numbers of some symbols, None where one is not given or not rational."""
@@ -88,7 +90,7 @@ def evaluate(expression: Expr, values: Mapping[Symbol, Expr]) -> Expr:
         if below == 0:
             return sympy.nan
         value /= below
-    return Rational(int(value.p), int(value.q))
+    return to_sympy(value)
 
 
 def _inserted(expression: Expr, values: Mapping[Symbol, Expr]) -> Expr:
@@ -131,12 +133,8 @@ def sign_of_constant(constant: Expr) -> int | None:
             most = min(4 * least + 256, ALGEBRAIC_LIMIT)
         if least is not None and abs(enclosure) < arb(2) ** -least:
             return 0
-        if (
-            precision == 256
-            and (least is None or least > FAR)
-            and enclosure.is_finite()
-            and vanishes(constant, sign_of_constant)
-        ):
+        far = precision == 256 and (least is None or least > FAR)
+        if far and enclosure.is_finite() and vanishes(constant, sign_of_constant):
             return 0
         precision *= 2
     return None
@@ -185,11 +183,9 @@ def is_identically_zero(expression: Expr) -> bool | None:
 
 def plain(constant: Expr) -> Expr:
     """0, 1 or -1 in place of a constant that is proved to be that number; anything else as it is."""
-    if (
-        constant.free_symbols
-        or isinstance(constant, Rational)
-        or not (near := ball(constant, 64)).is_finite()
-    ):
+    if constant.free_symbols or isinstance(constant, Rational):
+        return constant
+    if not (near := ball(constant, 64)).is_finite():
         return constant
     found = (Integer(n) for n in (0, 1, -1) if near.contains(n) and sign_of_constant(constant - n) == 0)
     return next(found, constant)

@@ -1,6 +1,8 @@
 """The field of a root of an irreducible polynomial over ℚ."""
 from flint import fmpq_mat, fmpq_mpoly, fmpq_poly
-from sympy import Add, Expr, Mul, Rational
+from sympy import Add, Expr, Mul
+
+from ..enclosures.rationals import to_sympy
 
 
 def in_one(polynomial: fmpq_mpoly, index: int) -> fmpq_poly:
@@ -31,7 +33,7 @@ def divided(tops: list[fmpq_poly], under: fmpq_poly, modulus: fmpq_poly) -> list
 
 def at_root(polynomial: fmpq_poly, root: Expr) -> Expr:
     """The value at a root."""
-    return Add(*(Mul(Rational(int(c.p), int(c.q)), root**n) for n, c in enumerate(polynomial.coeffs()) if c))
+    return Add(*(Mul(to_sympy(c), root**n) for n, c in enumerate(polynomial.coeffs()) if c))
 
 
 def common_divisor(f: list[fmpq_poly], g: list[fmpq_poly], modulus: fmpq_poly) -> list[fmpq_poly]:

@@ -1,7 +1,8 @@
 """Rank, kernel and negative squares of matrices of exact numbers, each zero proved."""
-from flint import fmpq, fmpq_mat
+from flint import fmpq_mat
 from sympy import Expr, Matrix, Rational
 
+from ..enclosures.rationals import to_flint
 from ..rings.matrices import characteristic
 from .exact import evaluate, sign_of_constant
 
@@ -25,7 +26,7 @@ def rank(matrix: Matrix) -> int:
     1
     """
     if all(isinstance(x, Rational) for x in matrix):
-        return fmpq_mat(matrix.rows, matrix.cols, [fmpq(x.p, x.q) for x in matrix]).rank()
+        return fmpq_mat(matrix.rows, matrix.cols, list(map(to_flint, matrix))).rank()
     return int(matrix.rank(simplify=exact, iszerofunc=_is_zero))
 
 

@@ -11,27 +11,12 @@ from collections.abc import Callable, Sequence
 from functools import reduce
 from typing import Any
 
+import sympy
 from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
-from sympy import (
-    Add,
-    CRootOf,
-    Expr,
-    Mul,
-    Pow,
-    Rational,
-    S,
-    cos,
-    cosh,
-    exp,
-    expand_log,
-    log,
-    multiplicity,
-    sin,
-    sinh,
-    tanh,
-)
+from sympy import Add, CRootOf, Expr, Mul, Pow, Rational, S, cos, exp, log, sin
 
 from ..enclosures.algebraic import TURNS, coprime, is_algebraic, separation
+from ..enclosures.rationals import to_flint, to_sympy
 from ..rings.constituents import Constituents, multiples
 from ..rings.enclosed_roots import RealRoot
 from ..rings.polynomials import by_degree
@@ -65,7 +50,7 @@ def vanishes(constant: Expr, sign: Callable[[Expr], int | None]) -> bool:
     True
     """
     try:
-        form = _Form(constant := expand_log(constant), sign)
+        form = _Form(constant := sympy.expand_log(constant), sign)
         top = form.numerator(constant)
         return form.is_zero(top, form.roots) if top and not is_algebraic(constant) else not top
     except OverflowError:                                  # more work than it is worth
@@ -84,9 +69,8 @@ class _Form:
         parts = Constituents(constant)
         self._units, plain = parts.units(), parts.plain
         self._base = coprime(parts.integers)
-        meaning: dict[Any, Expr] = {node: node for node in reversed(plain)} | {
-            (log, n): log(n) for n in self._base
-        }
+        meaning: dict[Any, Expr] = {node: node for node in reversed(plain)}
+        meaning |= {(log, n): log(n) for n in self._base}
         for (kind, rest), unit in self._units.items():
             meaning |= {(f, rest): f(unit * rest) for f in ((cos, sin) if kind is cos else (exp,))}
         context = fmpq_mpoly_ctx.get(tuple(f"x{n}" for n in range(len(meaning))), Ordering.lex)
@@ -129,7 +113,7 @@ class _Form:
         if node in self._gens:
             return self._gens[node], self._one
         if isinstance(node, Rational):
-            return self._one * fmpq(int(node.p), int(node.q)), self._one
+            return self._one * to_flint(node), self._one
         if isinstance(node, Add):
             return reduce(self._ring.sum, map(self.fraction, node.args))
         if isinstance(node, Mul):
@@ -142,14 +126,13 @@ class _Form:
             return self._power(self.fraction(base), int(node.exp.p))
         if isinstance(node, log):
             # negative where b divides the denominator
-            powers = ((b, multiplicity(b, node.args[0])) for b in self._base)
+            powers = ((b, sympy.multiplicity(b, node.args[0])) for b in self._base)
             return sum((n * self._gens[log, b] for b, n in powers), self._zero), self._one
-        if isinstance(node, (sinh, cosh, tanh)):
+        if isinstance(node, sympy.sinh | sympy.cosh | sympy.tanh):
             return self.fraction(node.rewrite(exp))
         c, s = self._turned(node)
-        above, below = self._power(c, -1), self._power(s, -1)
-        return (s, c, self._ring.product(s, above), self._ring.product(c, below), above,
-                below)[TURNS.index(type(node))]
+        above, below, product = self._power(c, -1), self._power(s, -1), self._ring.product
+        return (s, c, product(s, above), product(c, below), above, below)[TURNS.index(type(node))]
 
     def _power(self, part: Fraction, n: int) -> Fraction:
         top, bottom = part if n >= 0 else part[::-1]
@@ -229,6 +212,5 @@ class _Form:
         return all(self._sign(c) == 0 for c in coefficients)
 
     def _expression(self, terms: dict[tuple[int, ...], fmpq]) -> Expr:
-        return Add(*(Mul(Rational(int(c.p), int(c.q)),
-                         *(Pow(v, int(e)) for v, e in zip(self._meaning, exponents) if e))
+        return Add(*(Mul(to_sympy(c), *(Pow(v, int(e)) for v, e in zip(self._meaning, exponents) if e))
                      for exponents, c in terms.items()))

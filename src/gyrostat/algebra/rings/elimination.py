@@ -1,19 +1,7 @@
-"""Replaces tⁿ by a generator of its own, and eliminates the higher powers of t from two polynomials."""
+"""Eliminates the higher powers of t from two polynomials in t."""
 from flint import fmpq_mpoly
 
 from .polynomials import by_degree
-
-
-def deflated(polynomial: fmpq_mpoly, place: int, n: int) -> fmpq_mpoly:
-    """With s for tⁿ."""
-    return polynomial.context().from_dict({(*e[:place], e[place] // n, *e[place + 1:]): c
-                                           for e, c in polynomial.to_dict().items()})
-
-
-def inflated(polynomial: fmpq_mpoly, place: int, n: int) -> fmpq_mpoly:
-    """With tⁿ for t."""
-    return polynomial.context().from_dict({(*e[:place], e[place] * n, *e[place + 1:]): c
-                                           for e, c in polynomial.to_dict().items()})
 
 
 def linear(F: fmpq_mpoly, G: fmpq_mpoly, place: int) -> tuple[fmpq_mpoly, fmpq_mpoly]:
@@ -22,11 +10,9 @@ def linear(F: fmpq_mpoly, G: fmpq_mpoly, place: int) -> tuple[fmpq_mpoly, fmpq_m
     (0, 0) where none is found.
     """
     while G.degrees()[place] > 1 and F.degrees()[place] > 1:
-        F, G = (
-            (G, _remainder(F, G, place))
-            if F.degrees()[place] >= G.degrees()[place]
-            else (F, _remainder(G, F, place))
-        )
+        if F.degrees()[place] < G.degrees()[place]:
+            F, G = G, F
+        F, G = G, _remainder(F, G, place)
     for f in (G, F):
         if f.degrees()[place] == 1:
             b, a = by_degree(f, place, 1)

@@ -6,7 +6,7 @@ from flint import acb, arb, arb_poly
 from sympy import Expr, Integer, Rational, S, Tuple
 
 from ..enclosures.balls import Enclosed, ball
-from ..enclosures.precision import own_precision
+from ..enclosures.precision import doubled, own_precision
 
 NARROW, LARGEST = 1000, 2**14                          # bits: of a root, of coefficients to isolate it
 
@@ -55,11 +55,9 @@ def roots_by_enclosures(coefficients: Sequence[Expr]) -> list[Expr] | None:
     [-1.91416, 0.329720, 1.58444]
     """
     monic, scale = _monic(coefficients)
-    precision = 128
-    while precision <= LARGEST:
+    for precision in doubled(128, LARGEST):
         if (found := isolated(monic, precision)) is not None:
             return [RealRoot(monic, n) / scale for n in range(len(found))]
-        precision *= 2
     return None
 
 
@@ -72,6 +70,14 @@ def _monic(coefficients: Sequence[Expr]) -> tuple[tuple[Expr, ...], Expr]:
         *rest, lead = [-c for c in coefficients]
     powers = [lead ** (len(rest) - 1 - n) for n in range(len(rest))]
     return (*((c * power).expand() for c, power in zip(rest, powers)), S.One), lead
+
+
+def divided_by_root(coefficients: Sequence[arb], root: arb) -> list[arb]:
+    """A polynomial divided by x − root, by Horner's rule; both from the constant term, no remainder."""
+    quotient = [coefficients[-1]]
+    for c in coefficients[-2:0:-1]:
+        quotient.append(c + root * quotient[-1])
+    return quotient[::-1]
 
 
 @lru_cache(maxsize=256)

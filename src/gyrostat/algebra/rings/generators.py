@@ -56,7 +56,6 @@ def exponential(node: exp) -> list[tuple[Expr, int]]:
     powers = []
     for term in Add.make_args(node.args[0]):
         coefficient, rest = term.as_coeff_Mul()
-        n = int(coefficient.p) if isinstance(coefficient, Rational) else 1
-        base = exp(rest / coefficient.q) if isinstance(coefficient, Rational) else exp(term)
-        powers.append((base, n))
+        rational = isinstance(coefficient, Rational)
+        powers.append((exp(rest / coefficient.q), coefficient.p) if rational else (exp(term), 1))
     return powers

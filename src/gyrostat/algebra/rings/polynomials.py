@@ -5,12 +5,14 @@ exp(k3). A square root and a sine carry a relation, g² = …, by which everythi
 one denominator, so that no fraction is ever simplified on the way.
 """
 from collections.abc import Iterable, Sequence, Set
+from functools import reduce
 from typing import Any
 
 from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 from sympy import Add, Expr, Integer, Mul, Pow, Rational, S, Symbol, exp
 
 from ...errors import ExpressionError
+from ..enclosures.rationals import to_flint, to_sympy
 from .generators import collect, exponential, spelt_once
 
 Row = list[fmpq_mpoly]
@@ -70,15 +72,13 @@ class Ring:
 
     def _convert(self, node: Expr) -> tuple[fmpq_mpoly, fmpq_mpoly]:
         if isinstance(node, Rational):
-            return self._context.constant(fmpq(int(node.p), int(node.q))), self.one
+            return self._context.constant(to_flint(node)), self.one
         if isinstance(node, Add):
             return self._add([self.fraction(part) for part in node.args])
         if isinstance(node, Mul):
             factors = [self.fraction(part) for part in node.args]
         elif isinstance(node, Pow) and isinstance(node.exp, Integer):
             factors = [_power(self.fraction(node.base), int(node.exp))]
-        elif isinstance(node, Pow) and isinstance(node.exp, Rational) and node.exp.q == 2:
-            factors = [_power(self._known(Pow(node.base, Rational(1, 2))), int(node.exp.p))]
         elif isinstance(node, Pow) and isinstance(node.exp, Rational):
             factors = [_power(self._known(Pow(node.base, Rational(1, node.exp.q))), int(node.exp.p))]
         elif isinstance(node, exp):
@@ -101,9 +101,7 @@ class Ring:
         return self._memo[node]
 
     def _add(self, parts: list[tuple[fmpq_mpoly, fmpq_mpoly]]) -> tuple[fmpq_mpoly, fmpq_mpoly]:
-        bottom = self.one
-        for _, denominator in parts:
-            bottom = lcm(bottom, denominator)
+        bottom = reduce(lcm, (denominator for _, denominator in parts), self.one)
         return sum((top * (bottom / denominator) for top, denominator in parts), self.zero), bottom
 
     def reduce(self, polynomial: fmpq_mpoly) -> fmpq_mpoly:
@@ -116,10 +114,7 @@ class Ring:
     def matrix(self, rows: Sequence[Sequence[Expr]]) -> tuple[list[Row], fmpq_mpoly]:
         """Reduced polynomial entries over their least common denominator."""
         entries = [[self.fraction(entry) for entry in row] for row in rows]
-        bottom = self.one
-        for row in entries:
-            for _, denominator in row:
-                bottom = lcm(bottom, denominator)
+        bottom = reduce(lcm, (denominator for row in entries for _, denominator in row), self.one)
         return [[self.reduce(top if denominator == bottom else top * (bottom / denominator))
                  for top, denominator in row] for row in entries], bottom
 
@@ -128,12 +123,8 @@ class Ring:
         terms = []
         for exponents, c in zip(polynomial.monoms(), polynomial.coeffs()):
             powers = [g if e == 1 else Pow(g, Integer(e)) for g, e in zip(self._meaning, exponents) if e]
-            terms.append(Mul(*powers) if c == 1 else Mul(self.constant(c), *powers))
+            terms.append(Mul(*powers) if c == 1 else Mul(to_sympy(c), *powers))
         return self._written(Add(*terms), polynomial, self.one)
-
-    def constant(self, number: fmpq) -> Expr:
-        """The SymPy number."""
-        return Rational(int(number.p), int(number.q))
 
     def _written(self, expression: Expr, top: fmpq_mpoly, bottom: fmpq_mpoly) -> Expr:
         """An expression that is known when it is read again."""
@@ -243,6 +234,5 @@ def by_factors(expression: Expr) -> Expr:
     products = []
     for polynomial in ring.fraction(expression):
         constant, factors = polynomial.factor()
-        products.append(Mul(Rational(int(constant.p), int(constant.q)),
-                            *(ring.expression(factor) ** int(n) for factor, n in factors)))
+        products.append(Mul(to_sympy(constant), *(ring.expression(f) ** int(n) for f, n in factors)))
     return products[0] / products[1]

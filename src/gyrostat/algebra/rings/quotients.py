@@ -64,9 +64,9 @@ class Quotients:
 
 def _remainder(polynomial: fmpq_mpoly, relation: tuple[int, int, fmpq_mpoly]) -> fmpq_mpoly:
     place, degree, divisor = relation
-    return (
-        divmod(polynomial, divisor)[1] if polynomial and polynomial.degrees()[place] >= degree else polynomial
-    )
+    if polynomial and polynomial.degrees()[place] >= degree:
+        return divmod(polynomial, divisor)[1]
+    return polynomial
 
 
 def _common(a: fmpq_mpoly, b: fmpq_mpoly) -> fmpq_mpoly:

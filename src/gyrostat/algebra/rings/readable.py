@@ -5,7 +5,9 @@ from flint import fmpq_mpoly
 from sympy import Add, Expr, ImmutableMatrix, Mul, Pow, Symbol
 
 from ...notation import order
+from ..enclosures.rationals import to_sympy
 from .polynomials import Ring, cancel
+from .rational_functions import RationalFunction
 
 
 @lru_cache(maxsize=1024)
@@ -32,11 +34,9 @@ def split(entry: Expr) -> Expr:
     top, bottom = cancel(*ring.fraction(entry))
     groups: dict[str, tuple[fmpq_mpoly, fmpq_mpoly]] = {}
     for exponents, coefficient in ring.reduce(top).to_dict().items():
-        numerator, denominator = cancel(top.context().from_dict({exponents: coefficient}), bottom)
-        scale = denominator.leading_coefficient()
-        numerator, denominator = numerator / scale, denominator / scale
-        groups[str(denominator)] = (groups.get(str(denominator), (ring.zero, ring.zero))[0] + numerator,
-                                    denominator)
+        part = RationalFunction(top.context().from_dict({exponents: coefficient}), bottom)
+        known, _ = groups.get(str(part.bottom), (ring.zero, ring.zero))
+        groups[str(part.bottom)] = known + part.top, part.bottom
     return Add(*(_quotient(ring, *group) for group in groups.values()))
 
 
@@ -60,7 +60,7 @@ def _factors(ring: Ring, polynomial: fmpq_mpoly) -> list[Expr]:
         elif squared is None and _starts_negative(part):
             part, content = _collected(ring, -f), content * (-1) ** n
         parts.append(Pow(part, n))
-    return [ring.constant(content), *parts]
+    return [to_sympy(content), *parts]
 
 
 def _starts_negative(expression: Expr) -> bool:
@@ -73,9 +73,8 @@ def _paired(factors: list[tuple[fmpq_mpoly, int]]) -> list[tuple[fmpq_mpoly, int
     for f, n in factors:
         partner = next((g for g, m in result if m == int(n) and len(g) == len(f) == 2 and len(f * g) == 2),
                        None)
-        result = [(g, m) for g, m in result if g is not partner] + [
-            (f if partner is None else f * partner, int(n))
-        ]
+        result = [(g, m) for g, m in result if g is not partner]
+        result.append((f if partner is None else f * partner, int(n)))
     return result
 
 
@@ -112,7 +111,7 @@ def _collected(ring: Ring, polynomial: fmpq_mpoly) -> Expr:
             turned = _starts_negative(part)
             parts.append(Pow(-part if turned else part, n))
             content *= (-1) ** n if turned else 1
-        terms.append(Mul(ring.constant(content), ring.monomial(kind), *parts))
+        terms.append(Mul(to_sympy(content), ring.monomial(kind), *parts))
     return Add(*terms)
 
 

@@ -1,6 +1,7 @@
 """Truncated power series in four variables, over any ring of numbers: fractions, balls, algebraic numbers."""
+import operator
 from collections.abc import Callable, Collection, Mapping, Sequence
-from functools import lru_cache
+from functools import lru_cache, reduce
 from math import factorial, prod
 from typing import Any
 
@@ -134,10 +135,7 @@ def composed(expression: Expr, places: Mapping[Symbol, Series], number: Callable
         return Series([{0: number(expression)}, *({} for _ in range(degree))])
     rest = [part for part in expression.args if not part.free_symbols & places.keys()]
     if isinstance(expression, Add):
-        total = inner[0]
-        for other in inner[1:]:
-            total = total + other
-        return total.shifted(number(Add(*rest)))
+        return reduce(operator.add, inner).shifted(number(Add(*rest)))
     if isinstance(expression, Mul):
         return prod(inner[1:], start=inner[0]).scaled(number(Mul(*rest)))
     if isinstance(expression, Pow) and expression.exp.is_Integer and expression.exp > 0:

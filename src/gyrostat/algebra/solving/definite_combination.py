@@ -3,10 +3,11 @@ from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from operator import mul
 
-from sympy import Dummy, Expr, ImmutableMatrix, Rational, oo
+from sympy import Dummy, ImmutableMatrix, Rational, oo
 
 from ...errors import ScopeError
 from ..enclosures.balls import ball
+from ..enclosures.rationals import to_sympy
 from ..reals.exact import sign_of_constant
 from .roots import between, real_roots
 
@@ -40,7 +41,7 @@ def definite_combination(form: ImmutableMatrix,
     >>> definite_combination(diag(1, -1), [diag(-1, 1)])
     """
     for found in _searched(form, others):
-        if definite(_combined(form, others, found)):
+        if definite(ImmutableMatrix(sum((a * other for a, other in zip(found, others)), form))):
             return found
     for place, other in enumerate(others):
         for a in _along(form, other):
@@ -68,11 +69,6 @@ def _along(form: ImmutableMatrix, other: ImmutableMatrix) -> Iterator[Rational]:
     yield from (between(low, high) for low, high in zip(ends, ends[1:]))
 
 
-def _combined(form: ImmutableMatrix, others: Sequence[ImmutableMatrix],
-              coefficients: Sequence[Expr]) -> ImmutableMatrix:
-    return ImmutableMatrix(sum((a * other for a, other in zip(coefficients, others)), form))
-
-
 def _searched(form: ImmutableMatrix, others: Sequence[ImmutableMatrix]) -> Iterator[tuple[Rational, ...]]:
     """What is definite in floats, with short denominators first."""
     stack = [[[float(ball(x, 64).mid()) for x in row] for row in matrix.tolist()]
@@ -85,8 +81,7 @@ def _searched(form: ImmutableMatrix, others: Sequence[ImmutableMatrix]) -> Itera
         v = _not_positive(total)
         if v is None and weights[0]:
             ratios = [Fraction(w * sizes[0] / (weights[0] * size)) for w, size in zip(weights[1:], sizes[1:])]
-            yield from (tuple(Rational(*r.limit_denominator(n).as_integer_ratio()) for r in ratios)
-                        for n in SIMPLEST)
+            yield from (tuple(to_sympy(r.limit_denominator(n)) for r in ratios) for n in SIMPLEST)
             return
         v = v or [1.0] * form.rows
         square = sum(x * x for x in v)

@@ -1,5 +1,6 @@
 """What is known of the sign of a polynomial: by assumption, by its form, on the domain of a family."""
 from collections.abc import Iterable, Sequence
+from math import prod
 
 from flint import fmpq, fmpq_mpoly
 from sympy import Expr
@@ -72,10 +73,7 @@ class Signs:
         if not top:
             return self.ring.zero, ()
         sign, odd, even = self._factors(top, bottom)
-        margin = self.ring.one * sign
-        for factor in odd.values():
-            margin *= factor
-        return margin, tuple(even[name] for name in sorted(even))
+        return prod(odd.values(), start=self.ring.one * sign), tuple(even[name] for name in sorted(even))
 
     def margin(self, expression: Expr) -> tuple[fmpq_mpoly, tuple[fmpq_mpoly, ...]]:
         """Margin normal form of an expression."""
@@ -104,11 +102,8 @@ class Signs:
             content, factors = self._factorization(polynomial)
             sign = sign if content > 0 else -sign
             for name, factor, n in factors:
-                if (
-                    known := self._known.get(name)
-                    or self._form(name, factor)
-                    or (deep and self._quadratic(name, factor))
-                ):
+                known = self._known.get(name) or self._form(name, factor)
+                if known or deep and (known := self._quadratic(name, factor)):
                     sign *= known**n
                 elif n % 2:
                     odd[name] = factor

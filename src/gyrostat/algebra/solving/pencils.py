@@ -4,6 +4,7 @@ from collections.abc import Iterator
 from sympy import Add, Expr, Matrix, S, Symbol, eye, sqrt
 
 from ..reals.exact import evaluate, proved_sign
+from ..reals.number_matrices import exact
 from ..rings.matrices import adjugate, cross
 from .roots import real_roots
 
@@ -74,13 +75,15 @@ def along_kernel(pencil: Matrix, above: Matrix, below: Expr, radius: Expr, nu: S
         return
     here = pencil.xreplace({nu: root})
     if order == 2:                                         # the pencil is λ c cᵀ there
-        n = next(n for n in range(3) if proved_sign(evaluate(here[n, n], {})) != 0)
-        axis = here[:, n]
+        axis = _column(here)
         e = next(v for v in (Matrix(cross(axis, eye(3)[:, m])) for m in range(3)) if any(v))
         yield root, tuple(across + sqrt(rest / e.dot(e)) * e), tuple(axis)
         return
-    minors = Matrix(adjugate(here.tolist()))
-    n = next(n for n in range(3) if proved_sign(evaluate(minors[n, n], {})) != 0)
-    e = minors[:, n].applyfunc(lambda x: evaluate(x, {}))
+    e = _column(Matrix(adjugate(here.tolist()))).applyfunc(exact)
     for side in (1, -1):
         yield root, tuple(across + side * sqrt(rest / e.dot(e)) * e), None
+
+
+def _column(matrix: Matrix) -> Matrix:
+    """A column of a matrix c cᵀ of three rows that is not 0."""
+    return matrix[:, next(n for n in range(3) if proved_sign(exact(matrix[n, n])) != 0)]

@@ -5,15 +5,18 @@ from fractions import Fraction
 from itertools import pairwise
 from typing import NamedTuple
 
-from flint import arb, arb_poly, fmpq, fmpq_mpoly, fmpq_poly
+from flint import arb, arb_poly, fmpq_poly
 from sympy import Expr, Rational, Symbol, oo
 
 from ...errors import ScopeError
 from ..enclosures.balls import ball
-from ..enclosures.precision import own_precision
-from ..rings.polynomials import Ring, by_degree
+from ..enclosures.precision import doubled, own_precision
+from ..enclosures.rationals import to_flint
+from ..reals.number_fields import in_one
+from ..rings.enclosed_roots import divided_by_root
+from ..rings.polynomials import by_degree
 from .plane_curves import PlaneCurve
-from .roots import between, in_order, roots_of_factor
+from .roots import between, in_order, roots_of_factor, roots_of_polynomial
 
 FINEST, LEAST = 2**13, 1000                            # bits; of the width of a root
 
@@ -73,7 +76,7 @@ def strands(F: Expr, x: Symbol, t: Symbol, known: Mapping[Rational, Mapping[Expr
     growing: list[tuple[tuple[Span, ...], Expr | None]] = []
     for low, high in pairwise([-oo, *in_order(special), oo]):
         middle, before = between(low, high), len(growing)
-        count = len(curve.roots(Fraction(int(middle.p), int(middle.q))))
+        count = len(curve.roots(Fraction(middle)))
         if low == -oo:
             growing = [((), None)] * count
         elif low in known and before == count:
@@ -93,8 +96,8 @@ def strands(F: Expr, x: Symbol, t: Symbol, known: Mapping[Rational, Mapping[Expr
 def _where_roots_meet(curve: PlaneCurve, eliminated: int, left: Symbol) -> list[Expr]:
     """The real t, or x, of all points at which x is a multiple root."""
     F, name = curve.whole, str(curve.whole.context().names()[curve.place[eliminated]])
-    whole = univariate(curve.ring, F.resultant(F.derivative(curve.place[0]), name), left)
-    return [root for factor, _ in whole.factor()[1] for root in roots_of_factor(factor)]
+    resultant = F.resultant(F.derivative(curve.place[0]), name)
+    return roots_of_polynomial(in_one(resultant, curve.ring.generators.index(left)))
 
 
 def _folds(curve: PlaneCurve, at: Expr, double: Sequence[Expr], count: int) -> list[tuple[Expr, int]]:
@@ -103,8 +106,7 @@ def _folds(curve: PlaneCurve, at: Expr, double: Sequence[Expr], count: int) -> l
     So many pairs of roots come or go there, each at a multiple root. All that balls do not exclude are so
     many; divided by (x − x0)² for each the polynomial has none of them left, and they are double.
     """
-    precision = 256
-    while precision <= FINEST:
+    for precision in doubled(256, FINEST):
         with own_precision(precision):
             t0 = ball(at, precision)
             parts = [arb_poly(part)(t0) for part in _in_x(curve)]
@@ -116,20 +118,11 @@ def _folds(curve: PlaneCurve, at: Expr, double: Sequence[Expr], count: int) -> l
                 return []
             if len(left) == count:
                 for x0 in left:
-                    parts = _divided(_divided(parts, near[x0]), near[x0])
+                    parts = divided_by_root(divided_by_root(parts, near[x0]), near[x0])
                 others = _isolated(parts, 2.0 ** -min(precision // 4, LEAST))
                 if others is not None and not any(x.overlaps(near[x0]) for x in others for x0 in left):
                     return [(x0, sum(bool(x < near[x0]) for x in others)) for x0 in left]
-        precision *= 2
     raise _untold(curve, at)
-
-
-def _divided(parts: Sequence[arb], root: arb) -> list[arb]:
-    """The coefficients of a polynomial divided by x − root, the remainder left out."""
-    quotient = [parts[-1]]
-    for c in parts[-2:0:-1]:
-        quotient.append(c + root * quotient[-1])
-    return quotient[::-1]
 
 
 def _isolated(parts: Sequence[arb], width: float) -> list[arb] | None:
@@ -147,7 +140,7 @@ def _untold(curve: PlaneCurve, at: Expr) -> ScopeError:
 
 def _crossed(curve: PlaneCurve, at: Rational, known: Mapping[Expr, bool], count: int) -> list[int]:
     """Where two roots cross, how many are below them; of so many, of which no others meet."""
-    _, factors = fmpq_poly([part(fmpq(int(at.p), int(at.q))) for part in _in_x(curve)]).factor()
+    _, factors = fmpq_poly([part(to_flint(at)) for part in _in_x(curve)]).factor()
     orders = {root: order for factor, order in factors for root in roots_of_factor(factor)}
     below, found = 0, []
     for root in in_order(list(orders)):
@@ -161,12 +154,5 @@ def _crossed(curve: PlaneCurve, at: Rational, known: Mapping[Expr, bool], count:
 
 def _in_x(curve: PlaneCurve) -> list[fmpq_poly]:
     """The coefficients of the powers of x, in t."""
-    return [univariate(curve.ring, part, curve.t)
-            for part in by_degree(curve.whole, curve.place[0], curve.degree(curve.whole, 0))]
-
-
-def univariate(ring: Ring, polynomial: fmpq_mpoly, t: Symbol) -> fmpq_poly:
-    """Of a polynomial in t alone."""
-    place = ring.generators.index(t)
-    coefficients = {exponents[place]: c for exponents, c in polynomial.to_dict().items()}
-    return fmpq_poly([coefficients.get(n, 0) for n in range(max(coefficients, default=-1) + 1)])
+    x, t = curve.place
+    return [in_one(part, t) for part in by_degree(curve.whole, x, curve.degree(curve.whole, 0))]

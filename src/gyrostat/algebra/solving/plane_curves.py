@@ -8,15 +8,16 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from flint import arb, arb_poly, ctx, fmpq, fmpq_mpoly, fmpq_poly
-from sympy import Expr, Rational, S, Symbol
+from sympy import Expr, S, Symbol
 
 from ..._cached import cached_property
 from ...errors import ScopeError
-from ..enclosures.algebraic import is_algebraic
+from ..enclosures.algebraic import is_algebraic, isolated_roots
 from ..enclosures.balls import ball, dyadic, interval
 from ..enclosures.precision import own_precision
+from ..enclosures.rationals import to_flint, to_sympy
 from ..reals.exact import sign_of_constant
-from ..rings.elimination import deflated, inflated, linear
+from ..rings.elimination import linear
 from ..rings.polynomials import Ring, by_degree, cancel
 from .roots import inserted, nearest, real_roots
 
@@ -129,9 +130,10 @@ class PlaneCurve:
 
     def common(self, F: fmpq_mpoly, G: fmpq_mpoly) -> list[tuple[Expr, Expr]]:
         """Common zeros (t, x) of a component and a polynomial that it does not divide; t is canonical."""
-        x, t = self.place
+        t = self.place[1]
         n = math.gcd(*(int(e[t]) for f in (F, G) for e in f.to_dict())) or 1
-        F, G = (deflated(f, t, n) for f in (F, G))
+        powers = [n if place == t else 1 for place in range(len(self.ring.generators))]
+        F, G = F.deflate(powers), G.deflate(powers)    # with s for tⁿ
         if self.degree(F, 0) * self.degree(G, 1) + self.degree(G, 0) * self.degree(F, 1) > LARGEST:
             raise ScopeError(f"the points of a curve of degree {self.degree(self.whole, 0)} in {self.x} and "
                              f"{self.degree(self.whole, 1)} in {self.t} are roots of polynomials of degree "
@@ -148,8 +150,8 @@ class PlaneCurve:
         pairs = [(s, x0) for x0 in across for s in self._above(F, G, x0, along)]
         if n == 1:
             return pairs
-        powers = real_roots(self.ring.expression(inflated(over_t, t, n)), self.t) or []
-        return [(root, x0) for s, x0 in pairs for root in powers if nearest(root, along, n) == s]
+        roots = real_roots(self.ring.expression(over_t.inflate(powers)), self.t) or []
+        return [(root, x0) for s, x0 in pairs for root in roots if nearest(root, along, n) == s]
 
     def _resultant(self, F: fmpq_mpoly, G: fmpq_mpoly, which: int) -> fmpq_mpoly:
         """What is left of two polynomials when x (0) or t (1) is eliminated."""
@@ -217,7 +219,7 @@ class PlaneCurve:
         the precision; count, if known.
         """
         if not self.rational and count is None:
-            placed = inserted(self.ring, self.whole, {self.t: Rational(t.numerator, t.denominator)})
+            placed = inserted(self.ring, self.whole, {self.t: to_sympy(t)})
             count = len(real_roots(placed, self.x, *self.ends) or ())
         while True:
             with own_precision(precision):
@@ -230,9 +232,8 @@ class PlaneCurve:
         parts = by_degree(self.whole, self.place[0], self.degree(self.whole, 0))
         if self.rational:
             at = [fmpq(0)] * len(self.ring.generators)
-            at[self.place[1]] = fmpq(t.numerator, t.denominator)
-            real = [x.real for x, _ in fmpq_poly([part(*at) for part in parts]).complex_roots()
-                    if x.imag == 0]
+            at[self.place[1]] = to_flint(t)
+            real = isolated_roots(fmpq_poly([part(*at) for part in parts]))
         else:
             here = interval(t)
             try:

@@ -6,6 +6,7 @@ from flint import arb, arb_poly, fmpq_poly
 from sympy import Expr
 
 from ..._cached import cached_property
+from ..enclosures.algebraic import isolated_roots
 from ..enclosures.balls import ball
 from ..enclosures.precision import own_precision
 from ..reals.number_fields import at_root, divided
@@ -43,8 +44,7 @@ class Conjugates:
         if precision not in self._roots:
             refuse_close(self.polynomial.numer())
             with own_precision(precision):
-                found = (x.real for x, _ in self.polynomial.numer().complex_roots() if x.imag == 0)
-                self._roots[precision] = sorted(found, key=arb.mid)
+                self._roots[precision] = isolated_roots(self.polynomial)
         return self._roots[precision]
 
     def values(self, precision: int = BITS) -> list[list[arb]]:

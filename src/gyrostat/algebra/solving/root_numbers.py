@@ -6,13 +6,14 @@ make smaller: hours for roots that are 10⁻¹⁵ apart, or of the size 10³⁰.
 import math
 from collections.abc import Sequence
 
-from flint import arb, fmpz_poly
+from flint import fmpz_poly
 from sympy import CRootOf, Expr, Poly, PurePoly, Rational, Symbol
 from sympy.polys import rootoftools
 from sympy.polys.domains import QQ, ZZ
 from sympy.polys.rootisolation import RealInterval
 
 from ...errors import ScopeError
+from ..enclosures.algebraic import isolated_roots, over_integers
 from ..enclosures.balls import ends
 from ..enclosures.precision import own_precision
 
@@ -43,10 +44,9 @@ def roots_of(coefficients: Sequence[Rational]) -> list[Expr]:
     """
     unit = Rational(10) ** _order(coefficients[0] / coefficients[-1], len(coefficients) - 1)
     near = Poly([a * unit**n for n, a in enumerate(coefficients)][::-1], Symbol("x"))
-    whole = fmpz_poly([int(c) for c in reversed(near.clear_denoms(convert=True)[1].all_coeffs())])
+    whole = over_integers(near)
     refuse_close(whole)
-    count = sum(root.imag == 0 for root, _ in whole.complex_roots())
-    found = [CRootOf(near, n) for n in range(count)]
+    found = [CRootOf(near, n) for n in range(len(isolated_roots(whole)))]
     for root in {root for number in found for root in number.atoms(CRootOf)}:
         _lend(root.poly)
     return [unit * number for number in found]
@@ -88,9 +88,7 @@ def _lend(poly: PurePoly) -> None:
     known = rootoftools._reals_cache
     if poly in known:
         return
-    coefficients = poly.rep.to_list()
     with own_precision(BITS):
-        roots = fmpz_poly([int(c) for c in reversed(coefficients)]).complex_roots()
-    real = sorted((root.real for root, _ in roots if root.imag == 0), key=arb.mid)
-    known[poly] = [RealInterval(tuple(QQ(x.numerator, x.denominator) for x in ends(root)), coefficients, ZZ)
-                   for root in real]
+        roots = isolated_roots(over_integers(poly))
+    known[poly] = [RealInterval(tuple(QQ(x.numerator, x.denominator) for x in ends(root)), poly.rep.to_list(),
+                                ZZ) for root in roots]

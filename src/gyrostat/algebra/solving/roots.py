@@ -6,13 +6,15 @@ import math
 from collections.abc import Iterable, Mapping, Sequence
 from functools import cmp_to_key
 
-from flint import arb, fmpq, fmpq_mpoly, fmpq_poly
+from flint import arb, fmpq_mpoly, fmpq_poly
 from sympy import Add, Expr, Mul, Poly, Pow, Rational, S, Symbol, floor, minimal_polynomial, oo, sqrt
 
 from ...errors import ScopeError, brief
 from ..enclosures.algebraic import is_algebraic
 from ..enclosures.balls import ball, ends
+from ..enclosures.rationals import to_sympy
 from ..reals.exact import proved_sign
+from ..reals.number_fields import in_one
 from ..rings.enclosed_roots import roots_by_enclosures
 from ..rings.polynomials import Ring, by_degree
 from .root_numbers import roots_of
@@ -61,7 +63,9 @@ def real_roots(expression: Expr, x: Symbol, low: Expr | None = None,
     ring = Ring([expression, x])
     constants = [g for g in ring.generators if g != x]
     if any(g.free_symbols or g.is_real is False for g in constants):
-        raise _beyond(expression, x)
+        raise ScopeError(f"{brief(expression)} is not a fraction of polynomials in {x} with real numbers for "
+                         "coefficients: its roots are not found; give numbers for its parameters, and a "
+                         "field that is polynomial in k3")
     top, bottom = ring.fraction(expression)
     top, place = ring.reduce(top), ring.generators.index(x)
     parts = by_degree(top, place, top.degrees()[place])
@@ -81,12 +85,6 @@ def real_roots(expression: Expr, x: Symbol, low: Expr | None = None,
             and (high is None or proved_sign(high - r) == 1)]
 
 
-def _beyond(expression: Expr, x: Symbol) -> ScopeError:
-    return ScopeError(f"{brief(expression)} is not a fraction of polynomials in {x} with real numbers for "
-                      "coefficients: its roots are not found; give numbers for its parameters, and a field "
-                      "that is polynomial in k3")
-
-
 def _by_norm(ring: Ring, polynomial: fmpq_mpoly, x: Symbol) -> list[Expr] | None:
     """The real roots in order, from the product of the conjugates.
 
@@ -94,16 +92,13 @@ def _by_norm(ring: Ring, polynomial: fmpq_mpoly, x: Symbol) -> list[Expr] | None
     """
     if not all(g == x or is_algebraic(g) for g in ring.generators):
         return None
-    norm, place = polynomial, ring.generators.index(x)
+    norm = polynomial
     for n, g in enumerate(ring.generators):                # each root before those inside it
         if g != x and norm.degrees()[n]:
             norm = norm.resultant(_relation(ring, g, x), str(norm.context().names()[n]))
     if not norm:
         return None
-    nothing = (0,) * len(ring.generators)
-    coefficients = [c.to_dict().get(nothing, fmpq(0)) for c in by_degree(norm, place, norm.degrees()[place])]
-    found = in_order([r for factor, _ in fmpq_poly(coefficients).factor()[1]
-                      for r in roots_of_factor(factor)])
+    found = in_order(roots_of_polynomial(in_one(norm, ring.generators.index(x))))
     return found if norm is polynomial else _kept(ring, polynomial, x, found)
 
 
@@ -194,8 +189,7 @@ def between(a: Expr, b: Expr) -> Rational:
 
 def _side(number: Expr, precision: int, side: int) -> Rational:
     """The upper or lower end of an enclosure, exact."""
-    end = ends(ball(number, precision))[side > 0]
-    return Rational(end.numerator, end.denominator)
+    return to_sympy(ends(ball(number, precision))[side > 0])
 
 
 def nearest(value: Expr, known: list[Expr], power: int = 1) -> Expr:
@@ -203,11 +197,9 @@ def nearest(value: Expr, known: list[Expr], power: int = 1) -> Expr:
     precision = 64
     while True:
         here = math.prod([ball(value, precision)] * power, start=arb(1))
-        left = (
-            [number for number in known if here.overlaps(ball(number, precision))]
-            if here.is_finite()
-            else known
-        )
+        left = known
+        if here.is_finite():
+            left = [number for number in known if here.overlaps(ball(number, precision))]
         if len(left) == 1:
             return left[0]
         precision *= 2
@@ -219,11 +211,17 @@ def inserted(ring: Ring, polynomial: fmpq_mpoly, numbers: Mapping[Expr, Expr]) -
     Never inside a number, where a CRootOf has a variable of its own.
     """
     meaning = [numbers.get(g, ring.expression(ring.gens[g])) for g in ring.generators]
-    return Add(*(Mul(Rational(int(c.p), int(c.q)), *(Pow(g, int(e)) for g, e in zip(meaning, exponents) if e))
+    return Add(*(Mul(to_sympy(c), *(Pow(g, int(e)) for g, e in zip(meaning, exponents) if e))
                  for exponents, c in polynomial.to_dict().items()))
+
+
+def roots_of_polynomial(polynomial: fmpq_poly) -> list[Expr]:
+    """The different real roots of a polynomial, factor by factor; none of 0."""
+    factors = polynomial.factor()[1] if polynomial else ()
+    return [root for factor, _ in factors for root in roots_of_factor(factor)]
 
 
 def roots_of_factor(factor: fmpq_poly) -> list[Expr]:
     """The real roots of an irreducible polynomial."""
-    c = [Rational(int(a.p), int(a.q)) for a in factor.coeffs()]
+    c = list(map(to_sympy, factor.coeffs()))
     return _solved(c) if len(c) <= 3 else roots_of(c)

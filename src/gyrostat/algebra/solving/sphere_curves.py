@@ -9,13 +9,14 @@ from functools import reduce
 from itertools import pairwise
 
 from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx, fmpq_poly
-from sympy import Add, Dummy, Expr, Integer, Matrix, Mul, Poly, Rational, S, eye, oo, sqrt
+from sympy import Add, Dummy, Expr, Integer, Matrix, Mul, Poly, S, eye, oo, sqrt
 
 from ..._cached import cached_property
+from ..enclosures.rationals import to_flint, to_sympy
 from ..reals.exact import evaluate
 from ..reals.number_fields import in_one
 from ..rings.polynomials import by_degree
-from .roots import between, in_order, real_roots, roots_of_factor
+from .roots import between, in_order, real_roots, roots_of_polynomial
 
 Exponents = tuple[int, ...]
 Terms = Mapping[Exponents, fmpq]
@@ -56,15 +57,14 @@ class SphereCurve:
         change: one x tells it.
         """
         if not (degree := int(self.projected.degrees()[1])):
-            return [_above(x, S.Zero) for x in _real_roots(in_one(self.projected, 0))[:1]]
+            return [_above(x, S.Zero) for x in roots_of_polynomial(in_one(self.projected, 0))[:1]]
         parts = [in_one(part, 0) for part in by_degree(self.projected, 1, degree)]
         slope = self.projected.derivative(1)
         meeting = self.projected.resultant(slope, "y") if degree > 1 else slope
-        special = dict.fromkeys([*_real_roots(in_one(meeting, 0)), *_real_roots(parts[-1])])
+        special = dict.fromkeys([*roots_of_polynomial(in_one(meeting, 0)), *roots_of_polynomial(parts[-1])])
         for low, high in pairwise([-oo, *in_order(list(special)), oo]):
             x = between(low, high)
-            at = fmpq(int(x.p), int(x.q))
-            if found := _real_roots(fmpq_poly([part(at) for part in parts])):
+            if found := roots_of_polynomial(fmpq_poly([part(to_flint(x)) for part in parts])):
                 return [_above(x, found[0])]
         return []
 
@@ -92,7 +92,7 @@ class SphereCurve:
     def axis(self) -> tuple[Expr, ...] | None:
         """The axis about which its arcs are circles: turns about it keep the polynomial. None: no circles."""
         places = {e for part in self._turned for e in part}
-        rows = [[_rational(part.get(e, fmpq(0))) for part in self._turned] for e in sorted(places)]
+        rows = [[to_sympy(part.get(e, fmpq(0))) for part in self._turned] for e in sorted(places)]
         found = Matrix(rows).nullspace()
         return tuple(found[0]) if len(found) == 1 else None
 
@@ -186,15 +186,7 @@ def lifted(f: fmpq_mpoly) -> dict[Exponents, fmpq]:
         p, q = (x / FLAT for x in above)
 
 
-def _real_roots(f: fmpq_poly) -> list[Expr]:
-    return [root for factor, _ in f.factor()[1] for root in roots_of_factor(factor)] if f else []
-
-
 def _above(x: Expr, y: Expr) -> tuple[Expr, ...]:
     """The point of the sphere over one of the plane."""
     square = evaluate(x**2 + y**2, {})
     return tuple(evaluate(top / (square + 1), {}) for top in (2 * x, 2 * y, square - 1))
-
-
-def _rational(x: fmpq) -> Rational:
-    return Rational(int(x.p), int(x.q))

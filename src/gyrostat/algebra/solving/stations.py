@@ -95,10 +95,9 @@ def _station(curve: PlaneCurve, t: Expr, places: Sequence[Expr], reach: Fraction
     for x in places:
         others = [y for y in (*places, S.One, S.NegativeOne) if y != x]
         boxes.append(curve.box(t, x, min(distance(x, y) for y in others) / 2, reach))
-    steps = [min((t_side(box) for box in boxes), key=lambda side: side[0]) for t_side in (
-        lambda box: (-box.before, box.before), lambda box: (box.after, box.after))] if boxes else []
-    near = beside(t, reach / 2)
-    before, after = (steps[0][1], steps[1][1]) if boxes else near
+    before, after = beside(t, reach / 2)
+    if boxes:
+        before, after = max(box.before for box in boxes), min(box.after for box in boxes)
     left, right = (curve.roots(side, precision=BITS) for side in (before, after))
     return Station(t, before, after, tuple(
         Place(x, box, _inside(curve, before, left, box), _inside(curve, after, right, box))

@@ -2,11 +2,11 @@
 from fractions import Fraction
 from itertools import pairwise
 
-from flint import arb, fmpq
 from sympy import Expr, Rational, Symbol
 
 from ...errors import ScopeError
-from ..enclosures.balls import ball
+from ..enclosures.balls import ball, interval
+from ..enclosures.rationals import to_sympy
 from ..reals.exact import evaluate, sign_of_constant
 from .roots import real_roots
 from .stations import between
@@ -17,8 +17,7 @@ FINEST, BITS = Fraction(1, 2**48), 192
 
 def inner(a: Expr, b: Expr) -> Rational:
     """A fraction between two exact numbers."""
-    middle = between(a, b)
-    return Rational(middle.numerator, middle.denominator)
+    return to_sympy(between(a, b))
 
 
 def changes_of_sign(expression: Expr, free: Symbol, low: Expr, high: Expr) -> list[Expr]:
@@ -41,10 +40,9 @@ def zeros_of(expression: Expr, free: Symbol, low: Expr, high: Expr) -> list[Expr
     try:
         return real_roots(expression, free, low, high) or []
     except ScopeError:
-        start, end = (Fraction(int(x.p), int(x.q)) for x in (low, high))
-        return [Rational(x.numerator, x.denominator)
-                for x in _enclosed(expression, expression.diff(free), free, start, end,
-                                                                       (end - start) * FINEST)]
+        start, end = Fraction(low), Fraction(high)
+        slope = expression.diff(free)
+        return list(map(to_sympy, _enclosed(expression, slope, free, start, end, (end - start) * FINEST)))
 
 
 def _enclosed(f: Expr, slope: Expr, free: Symbol, a: Fraction, b: Fraction,
@@ -57,7 +55,7 @@ def _enclosed(f: Expr, slope: Expr, free: Symbol, a: Fraction, b: Fraction,
     waiting = [(a, b)]
     while waiting:
         a, b = waiting.pop()
-        here = {free: arb(fmpq(a.numerator, a.denominator)).union(arb(fmpq(b.numerator, b.denominator)))}
+        here = {free: interval(a, b)}
         if not ball(f, BITS, here).contains(0):
             continue
         middle = (a + b) / 2
@@ -73,4 +71,4 @@ def _enclosed(f: Expr, slope: Expr, free: Symbol, a: Fraction, b: Fraction,
 
 
 def _sign(f: Expr, free: Symbol, x: Fraction) -> int:
-    return sign_of_constant(evaluate(f, {free: Rational(x.numerator, x.denominator)})) or 0
+    return sign_of_constant(evaluate(f, {free: to_sympy(x)})) or 0

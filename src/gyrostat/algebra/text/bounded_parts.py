@@ -3,7 +3,6 @@ import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial, reduce
-from types import MappingProxyType
 from typing import Any, NamedTuple
 
 import sympy
@@ -11,23 +10,20 @@ from flint import arb
 from sympy import Add, Expr, I, Mul, Pow, Rational, S, Symbol, cot, tan
 
 from ..enclosures.arithmetic import Arithmetic, in_arithmetic
-from ..enclosures.balls import Enclosed, ball
+from ..enclosures.balls import NOTHING, Enclosed, ball
 from ..rings.subexpressions import occurring
 from . import magnitudes
 
-FUNCTIONS: dict[str, Callable[[Expr], Expr]] = {name: getattr(sympy, name) for name in (
-    "sqrt", "exp", "log", "sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "asinh",
-    "acosh", "atanh")}
-NOTHING: Mapping[Symbol, arb] = MappingProxyType({})
+FUNCTIONS: dict[str, Callable[[Expr], Expr]] = {
+    name: getattr(sympy, name) for name in ("sqrt", *magnitudes.FUNCTIONS)}
 TERMS, DEGREE, BITS, NESTING = 1000, 100, 4000, 4
 HYPERBOLIC, PARTIAL = ("sinh", "cosh", "tanh"), 8
-_EXPONENTIAL, _LOGARITHMIC, _SOMEWHERE = ("exp", "sinh",
-                                          "cosh"), ("log", "asinh",
-                                                    "acosh"), ("log", "asin", "acos", "acosh", "atanh")
+_EXPONENTIAL, _LOGARITHMIC = ("exp", "sinh", "cosh"), ("log", "asinh", "acosh")
+_SOMEWHERE = ("log", "asin", "acos", "acosh", "atanh")
 _INVERSE = tuple(FUNCTIONS[name] for name in ("asin", "acos", "atan", "asinh", "acosh", "atanh"))
 _FOREIGN = (I, S.NaN, S.ComplexInfinity, S.Infinity, S.NegativeInfinity, sympy.Mod, sympy.floor,
-            sympy.ceiling, sympy.re, sympy.im,
-            sympy.arg, sympy.sign, sympy.conjugate, sympy.Piecewise, sympy.AccumBounds)
+            sympy.ceiling, sympy.re, sympy.im, sympy.arg, sympy.sign, sympy.conjugate, sympy.Piecewise,
+            sympy.AccumBounds)
 
 
 class Cost(NamedTuple):
@@ -77,7 +73,7 @@ class Part:
 
 def constant(value: Rational) -> Part:
     """A rational number."""
-    return Part(value, of_number(value), 0, magnitudes.number(value))
+    return Part(value, of_number(value), 0, ball(value, magnitudes.PRECISION))
 
 
 def of_number(value: Rational) -> Cost:
@@ -96,8 +92,8 @@ def of_sum(costs: Sequence[Cost]) -> Cost:
 def of_product(costs: Sequence[Cost]) -> Cost:
     """Bounds of a product."""
     return _joined(Cost(math.prod(c.terms for c in costs), sum(c.degree for c in costs),
-                        sum(c.bits for c in costs),
-                        sum(c.size for c in costs)), max(c.partial for c in costs))
+                        sum(c.bits for c in costs), sum(c.size for c in costs)),
+                   max(c.partial for c in costs))
 
 
 def of_power(base: Cost, exponent: Rational) -> Cost:
@@ -123,11 +119,9 @@ def factored(base: Part, root: int) -> int:
     factors = Mul.make_args(base.value) if isinstance(base.value, Expr) else ()
     order = root * max((part.exp.q for part in factors if isinstance(part, Pow)
                         and isinstance(part.exp, Rational)), default=1)
-    bits = (
-        base.cost.bits
-        if not isinstance(base.value, Rational)
-        else max(map(_without_tens, (int(base.value.p), int(base.value.q))))
-    )
+    bits = base.cost.bits
+    if isinstance(base.value, Rational):
+        bits = max(map(_without_tens, (base.value.p, base.value.q)))
     return order * bits if order > 1 else 0
 
 
@@ -147,12 +141,9 @@ def factored_by(name: str, argument: Part) -> int:
     found = [8 * argument.cost.bits if argument.value.has(*_INVERSE) else 0]
     for term in Add.make_args(argument.value) if name == "exp" else ():
         c, logarithm = term.as_coeff_Mul()
-        if (
-            isinstance(logarithm, sympy.log)
-            and isinstance(r := logarithm.args[0], Rational)
-            and not (r.is_prime or (1 / r).is_prime)
-        ):
-            found.append(max(abs(int(c.p)), int(c.q)) * of_number(r).bits)
+        r = logarithm.args[0] if isinstance(logarithm, sympy.log) else None
+        if isinstance(r, Rational) and not (r.is_prime or (1 / r).is_prime):
+            found.append(max(abs(c.p), c.q) * of_number(r).bits)
     return max(found)
 
 
@@ -196,13 +187,9 @@ def enclosure(expression: Expr, known: Mapping[Symbol, arb] = NOTHING) -> arb | 
     def leaf(node: Expr) -> arb | None:
         if isinstance(node, Symbol):
             return known.get(node)
-        if isinstance(node, Rational):
-            return magnitudes.number(node)
-        if isinstance(node, Enclosed):
+        if isinstance(node, Rational | Enclosed) or node in (S.Pi, S.Exp1):
             return ball(node, magnitudes.PRECISION)
-        if node is S.Pi:
-            return magnitudes.pi()
-        return magnitudes.applied("exp", magnitudes.number(S.One)) if node is S.Exp1 else NotImplemented
+        return NotImplemented
 
     return in_arithmetic(expression, Arithmetic(leaf, partial(reduce, magnitudes.added),
                                                 partial(reduce, magnitudes.multiplied), _raised, _applied))

@@ -25,9 +25,8 @@ from .bounded_parts import DEGREE, FUNCTIONS, HYPERBOLIC, PARTIAL, Cost, Part
 from .limits import Limited
 
 _MEANT = {"ln": "log", "arcsin": "asin", "arccos": "acos", "arctan": "atan", "arcsinh": "asinh",
-          "arccosh": "acosh", "arctanh": "atanh",
-          "arsinh": "asinh", "arcosh": "acosh", "artanh": "atanh", "arctg": "atan", "tg": "tan",
-          "sh": "sinh", "ch": "cosh", "th": "tanh"}
+          "arccosh": "acosh", "arctanh": "atanh", "arsinh": "asinh", "arcosh": "acosh", "artanh": "atanh",
+          "arctg": "atan", "tg": "tan", "sh": "sinh", "ch": "cosh", "th": "tanh"}
 
 
 class Parser(Limited):
@@ -119,7 +118,7 @@ class Parser(Limited):
         return self.bounded(value, cost, nesting, ball)
 
     def atom(self) -> Part:
-        kind, token = self.tokens[self.place] if self.place < len(self.tokens) else ("end", "")
+        kind, token = self.tokens[self.place]
         self.place += 1
         if kind == "number":
             return self.number(token)
@@ -140,10 +139,12 @@ class Parser(Limited):
 
     def named(self, token: str) -> Part:
         if token in FUNCTIONS:
-            kind, after = self.tokens[self.place] if self.place < len(self.tokens) else ("end", "")
+            kind, after = self.tokens[self.place]
             argument = after if kind in ("name", "number") else "..."
             self.fail(f"the function {token} has no argument", f"write {token}({argument})")
-        return Part(sympy.pi, ball=magnitudes.pi()) if token == "pi" else Part(symbol(token), Cost(degree=1))
+        if token == "pi":
+            return Part(sympy.pi, ball=bounded_parts.enclosure(sympy.pi))
+        return Part(symbol(token), Cost(degree=1))
 
     def call(self, token: str) -> Part:
         if token not in FUNCTIONS:
@@ -153,7 +154,7 @@ class Parser(Limited):
 
     def no_function(self, token: str) -> tuple[str, str]:
         """Why a name is no function, and what to write: of the time, of k, or another one."""
-        argument = self.tokens[self.place + 1][1] if self.place + 1 < len(self.tokens) else ""
+        _, argument = self.tokens[self.place + 1]
         if use_of(argument) is Use.TIME:
             why, todo = AUTONOMOUS.split(": ")
             return f"{token}({argument}) is a function of the time, and {why}", todo

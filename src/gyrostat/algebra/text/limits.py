@@ -68,9 +68,8 @@ class Limited(Scanner):
     def checked(self, cost: Cost) -> Cost:
         """The cost, if it is within the limits."""
         if not cost.fits(self.TERMS):
-            self.fail(f"expanded, it could have {min(cost.terms, 10**9)} terms, degree "
-                      f"{min(cost.degree, 10**9)} or numbers of "
-                      f"{min(cost.bits, 10**9)} bits",
+            terms, degree, bits = (min(n, 10**9) for n in (cost.terms, cost.degree, cost.bits))
+            self.fail(f"expanded, it could have {terms} terms, degree {degree} or numbers of {bits} bits",
                       f"the limits are {self.TERMS} terms, degree {DEGREE}, {BITS} bits")
         return cost
 

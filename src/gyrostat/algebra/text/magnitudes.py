@@ -4,19 +4,18 @@ Enclosures of 512 bits, by operations that none of them can keep busy.
 """
 import operator
 from collections.abc import Callable
+from functools import partial
 from math import prod
 from typing import Any
 
-from flint import arb, fmpq
+from flint import arb
 from sympy import Rational
 
+from ..enclosures.balls import FUNCTIONS
 from ..enclosures.precision import own_precision
 
 # bits; what two enclosures of it do not tell apart is not told apart
 PRECISION = 512
-FUNCTIONS: dict[str, Callable[[arb], arb]] = {name: getattr(arb, name) for name in (
-    "exp", "log", "sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "asinh", "acosh",
-    "atanh")}
 
 
 def enclosed(operation: Callable[..., arb], *enclosures: arb | None) -> arb | None:
@@ -30,35 +29,9 @@ def enclosed(operation: Callable[..., arb], *enclosures: arb | None) -> arb | No
         return operation(*enclosures)
 
 
-def number(value: Rational) -> arb:
-    """Enclosure of a rational number."""
-    with own_precision(PRECISION):
-        return arb(fmpq(int(value.p), int(value.q)))
-
-
-def at_most_one() -> arb:
-    """The numbers from −1 to 1, such as the components of a direction."""
-    return arb(0, 1)
-
-
-def added(x: arb | None, y: arb | None) -> arb | None:
-    """x + y."""
-    return enclosed(operator.add, x, y)
-
-
-def multiplied(x: arb | None, y: arb | None) -> arb | None:
-    """x y."""
-    return enclosed(operator.mul, x, y)
-
-
-def negated(x: arb | None) -> arb | None:
-    """−x."""
-    return enclosed(operator.neg, x)
-
-
-def pi() -> arb | None:
-    """Enclosure of π."""
-    return enclosed(arb.pi)
+added = partial(enclosed, operator.add)                    # x + y
+multiplied = partial(enclosed, operator.mul)               # x y
+negated = partial(enclosed, operator.neg)                  # −x
 
 
 def applied(name: str, x: arb | None) -> arb | None:

@@ -44,15 +44,10 @@ def double(value: Expr) -> str:
 
     That of a double which is longer as a fraction; "" for any other number.
     """
-    if (
-        not isinstance(value, Rational)
-        or value.q < 2**20
-        or int(value.q).bit_count() != 1
-        or int(value.q).bit_length() > 1075
-    ):
+    if not isinstance(value, Rational) or value.q.bit_count() != 1 or not 2**20 <= value.q < 2**1075:
         return ""
-    near = int(value.p) / int(value.q)
-    return repr(near) if Fraction(near) == Fraction(int(value.p), int(value.q)) else ""
+    near = value.p / value.q
+    return repr(near) if Fraction(near) == Fraction(value) else ""
 
 
 def exact_expression(value: Any, name: str = "value") -> Expr:
@@ -115,8 +110,7 @@ def exact_number(value: Any, name: str = "value") -> Expr:
     if isinstance(value, bool | type) or not (isinstance(value, numbers.Real)
                                               or hasattr(value, "as_integer_ratio")):
         raise ValuesError(f"{name} = {brief(value)} is a {type(value).__name__}, not a real number: give "
-                          "an int, Fraction, "
-                          "float, SymPy number or a string like '1/2'")
+                          "an int, Fraction, float, SymPy number or a string like '1/2'")
     if isinstance(value, numbers.Rational):
         return _bounded(Rational(int(value.numerator), int(value.denominator)), name)
     try:

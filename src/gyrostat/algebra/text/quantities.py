@@ -33,20 +33,20 @@ class Dimension(NamedTuple):
 
 
 NONE = Dimension(0, 0, 0)
+_MASS, _LENGTH, _TIME, _RATE = (Dimension(1, 0, 0), Dimension(0, 1, 0), Dimension(0, 0, 1),
+                                Dimension(0, 0, -1))
 _INERTIA, _MOMENTUM, _TORQUE = Dimension(1, 2, 0), Dimension(1, 2, -1), Dimension(1, 2, -2)
-_RATE = Dimension(0, 0, -1)
+_FORCE = Dimension(1, 1, -2)
 # of what is not in the table of notation
 _BESIDE = MappingProxyType({
     "inertia": _INERTIA, "gyrostatic_momentum": _MOMENTUM, "axial": _INERTIA, "transverse": _INERTIA,
     "rate": _RATE, "momentum": _MOMENTUM, "M": _MOMENTUM, "C1": _MOMENTUM,
     "energy": _TORQUE, "axis": NONE, "orbit rate": _RATE, "orbit mu": Dimension(0, 3, -2),
-    "orbit radius": Dimension(0, 1, 0), "angle of roll": NONE, "angle of pitch": NONE, "angle of yaw": NONE,
-    "direction": NONE, "resolution": NONE, "sizes": NONE, "l/(I_pitch ω0)": NONE, "t": Dimension(0, 0, 1),
-    "transverse rate": _RATE, "axial rate": _RATE, "--transverse": _RATE, "--axial": _RATE,
-    "mass": Dimension(1, 0, 0), "coupling": Dimension(1, 1, 0), "--energy": _TORQUE, "--momentum": _MOMENTUM,
-    "--until": Dimension(0, 0, 1), "--step": Dimension(0, 0, 1)})
-_MASS, _LENGTH, _TIME, _FORCE = (Dimension(1, 0, 0), Dimension(0, 1, 0), Dimension(0, 0, 1),
-                                 Dimension(1, 1, -2))
+    "orbit radius": _LENGTH, "angle of roll": NONE, "angle of pitch": NONE, "angle of yaw": NONE,
+    "direction": NONE, "resolution": NONE, "sizes": NONE, "l/(I_pitch ω0)": NONE, "t": _TIME,
+    "transverse rate": _RATE, "axial rate": _RATE, "--transverse": _RATE, "--axial": _RATE, "mass": _MASS,
+    "coupling": Dimension(1, 1, 0), "--energy": _TORQUE, "--momentum": _MOMENTUM, "--until": _TIME,
+    "--step": _TIME})
 _FOOT, _POUND, _GRAVITY = Rational("0.3048"), Rational("0.45359237"), Rational("9.80665")
 # of each its SI number, exact, and whether it takes the prefixes of SI
 _UNITS: dict[str, tuple[Expr, Dimension, bool]] = {
@@ -55,7 +55,7 @@ _UNITS: dict[str, tuple[Expr, Dimension, bool]] = {
     "W": (S.One, Dimension(1, 2, -3), True), "Nm": (S.One, _TORQUE, True), "Nms": (S.One, _MOMENTUM, True),
     "min": (Integer(60), _TIME, False), "h": (Integer(3600), _TIME, False),
     "deg": (pi / 180, NONE, False), "arcmin": (pi / 10800, NONE, False), "arcsec": (pi / 648000, NONE, False),
-    "rev": (2 * pi, NONE, False), "rpm": (pi / 30, Dimension(0, 0, -1), False),
+    "rev": (2 * pi, NONE, False), "rpm": (pi / 30, _RATE, False),
     "in": (_FOOT / 12, _LENGTH, False), "ft": (_FOOT, _LENGTH, False), "lb": (_POUND, _MASS, False),
     "lbf": (_POUND * _GRAVITY, _FORCE, False), "slug": (_POUND * _GRAVITY / _FOOT, _MASS, False)}
 _WORDS = {"gram": "g", "kilogram": "kg", "meter": "m", "metre": "m", "second": "s", "radian": "rad",
@@ -99,7 +99,7 @@ class _Quantity(Parser):
     def quantity(self) -> tuple[Expr, Dimension | None]:
         """The expression in SI, and the dimension of what has a unit."""
         value = self.sum().value
-        if self.place == len(self.tokens):
+        if not self.peek():
             return value, None
         if self.tokens[self.place][0] != "name" or value.free_symbols:
             self.fail(f"{self.peek()!r} comes where an operator or the end should be",
@@ -115,7 +115,7 @@ class _Quantity(Parser):
             power = sign * (self.exponent() if self.take("**") else 1)
             factor *= Pow(size, power)
             powers = [p + power * d for p, d in zip(powers, dimension)]
-            if self.place == len(self.tokens):
+            if not self.peek():
                 return factor, Dimension(*powers)
             sign = -1 if self.take("/") else 1
             if sign == 1:
@@ -123,7 +123,7 @@ class _Quantity(Parser):
         self.fail(f"it has more than {FACTORS} units", "write it in fewer")
 
     def unit(self) -> tuple[Expr, Dimension]:
-        kind, name = self.tokens[self.place] if self.place < len(self.tokens) else ("end", "")
+        kind, name = self.tokens[self.place]
         found = unit(name) if kind == "name" else None
         if found is None:
             self.fail(f"{name!r} is no unit" if name else "it ends too early",
@@ -135,7 +135,7 @@ class _Quantity(Parser):
     def exponent(self) -> int:
         """A whole number, or one in parentheses."""
         wrapped, sign = self.take("("), -1 if self.take("-") else 1
-        kind, token = self.tokens[self.place] if self.place < len(self.tokens) else ("end", "")
+        kind, token = self.tokens[self.place]
         if kind != "number" or not token.isdecimal() or int(token[:4]) > POWER:
             self.fail(f"the power {token!r} of a unit is no whole number up to {POWER}", "write m^2")
         self.place += 1

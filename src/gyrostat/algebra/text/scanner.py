@@ -9,7 +9,8 @@ LENGTH = 5000
 ROOT, PRIMES = "√", "'′″‴’"
 _TOKEN = re.compile(rf"\s*(?:(?P<number>(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)|(?P<name>{NAME})"
                     rf"|(?P<raised>{RAISED})|(?P<sign>\*\*|[-+*/(){''.join(SIGNS)}{ROOT}]))", re.ASCII)
-Token = tuple[str, str]
+Token = tuple[str, str]                                # kind and text
+END: Token = ("end", "")
 
 
 class Scanner:
@@ -23,7 +24,7 @@ class Scanner:
         if len(text) > LENGTH:
             raise ExpressionError(f"an expression of {len(text)} characters is longer than the {LENGTH} "
                                   "allowed: shorten it")
-        self.tokens = self._plain(self._scan())
+        self.tokens = [*self._plain(self._scan()), END]
 
     def _scan(self) -> list[Token]:
         tokens, place, end = [], 0, len(self.text.rstrip())
@@ -47,8 +48,8 @@ class Scanner:
 
     def _plain(self, tokens: list[Token]) -> list[Token]:
         """The tokens in ASCII: x^2 and x² as x**2, √x as sqrt(x), names as they stand in the table."""
-        plain, end = list[Token](), ("end", "")
-        for (_, before), (kind, text), (after, sign) in zip([end, *tokens], tokens, [*tokens[1:], end]):
+        plain = list[Token]()
+        for (_, before), (kind, text), (after, sign) in zip([END, *tokens], tokens, [*tokens[1:], END]):
             if kind == "raised":
                 plain += self._raised(text, SIGNS.get(sign) == "**")
             elif text == ROOT:
@@ -78,7 +79,7 @@ class Scanner:
         raise ExpressionError(f"cannot read {brief(self.text)}: {why}; {todo}") from None
 
     def peek(self) -> str:
-        return self.tokens[self.place][1] if self.place < len(self.tokens) else ""
+        return self.tokens[self.place][1]
 
     def take(self, *wanted: str) -> str:
         if (token := self.peek()) and token in wanted:

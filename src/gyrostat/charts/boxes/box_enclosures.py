@@ -9,7 +9,7 @@ from sympy import Expr, Pow, Rational, Symbol, diff
 
 from ...algebra.enclosures.precision import own_precision
 from ..signs.straightline import program_of
-from .intervals import PRECISION, Enclosure, Outward, bounds_of, enclosed, outward
+from .intervals import PRECISION, Enclosure, bounds_of, enclosed, outward
 
 Box = Mapping[Symbol, Enclosure]
 # Functions that are monotone between two points of their domain; all others are enclosed as balls.
@@ -38,16 +38,12 @@ def enclosure(expression: Expr, box: Box) -> Enclosure:
     axes = {name: frozenset((place,)) for place, name in enumerate(box)}
 
     def leaf(node: Expr) -> Enclosure:
-        return (
-            box[node]
-            if isinstance(node, Symbol)
-            else _function(node, box)
-            if node.free_symbols
-            else enclosed(node)
-        )
+        if isinstance(node, Symbol):
+            return box[node]
+        return _function(node, box) if node.free_symbols else enclosed(node)
 
     with np.errstate(all="ignore"):
-        return program_of(expression, axes).run(leaf, enclosed, Outward)[-1]
+        return program_of(expression, axes).run(leaf, enclosed)[-1]
 
 
 def sharpened(expression: Expr, natural: Enclosure, box: Box,
@@ -65,9 +61,8 @@ def sharpened(expression: Expr, natural: Enclosure, box: Box,
     mean = enclosure(expression, middle)
     with np.errstate(all="ignore"):
         for name, slope in slopes.items():
-            mean = Outward.add(mean, Outward.multiply(slope, Outward.subtract(box[name], middle[name])))
-    defined = np.isfinite(natural.low) & np.isfinite(natural.high)
-    return natural & Enclosure(np.where(defined, mean.low, -np.inf), np.where(defined, mean.high, np.inf))
+            mean = mean + slope * (box[name] - middle[name])
+    return natural & mean.where(np.isfinite(natural.low) & np.isfinite(natural.high))
 
 
 @lru_cache(maxsize=1024)
@@ -90,15 +85,14 @@ def _power(base: Enclosure, p: int, q: int) -> Enclosure:
     """The power p of the root q."""
     if q == 2:
         root = outward(np.sqrt(base.low), np.sqrt(base.high))
-        base = Enclosure(np.where(base.low >= 0, np.maximum(root.low, 0), -np.inf),
-                         np.where(base.low >= 0, root.high, np.inf))
+        base = Enclosure(np.maximum(root.low, 0), root.high).where(base.low >= 0)
     elif q > 2:
         base = _each(str(q), base)
     result = base
     for bit in f"{abs(p):b}"[1:]:
-        result = Outward.multiply(result, result)
-        result = Outward.multiply(result, base) if bit == "1" else result
-    return result if p > 0 else Outward.reciprocal(result)
+        result = result * result
+        result = result * base if bit == "1" else result
+    return result if p > 0 else result.reciprocal()
 
 
 def _each(name: str, argument: Enclosure) -> Enclosure:

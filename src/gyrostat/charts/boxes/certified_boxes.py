@@ -131,24 +131,20 @@ def certify_box(report: Report, box: Mapping[str, Any], *, depth: int = 24,
     if not found:
         raise ValuesError(f"{report.equilibrium.label} exists at no point of the box: choose a box in "
                           "which its domain is positive")
+    left, parts = int((chart.code == UNDECIDED).sum()), len(chart.code)
+    verdict, reason = Verdict.UNDECIDED, f"nothing is proved on {left} of {parts} parts of the box"
     if found == {STABLE}:
-        return BoxDecision(Verdict.STABLE, "a sufficient condition is proved on every part of the box", chart)
-    if found == {UNSTABLE}:
-        return BoxDecision(Verdict.UNSTABLE,
-                           "a necessary condition is proved to fail on every part of the box", chart)
-    if found >= {STABLE, UNSTABLE}:
-        return BoxDecision(Verdict.UNDECIDED, "a part of the box is proved stable and another part unstable",
-                           chart)
-    reason = (
-        f"nothing is proved on {int((chart.code == UNDECIDED).sum())} of {len(chart.code)} parts of the box"
-    )
-    return BoxDecision(Verdict.UNDECIDED, reason, chart)
+        verdict, reason = Verdict.STABLE, "a sufficient condition is proved on every part of the box"
+    elif found == {UNSTABLE}:
+        verdict, reason = Verdict.UNSTABLE, "a necessary condition is proved to fail on every part of the box"
+    elif found >= {STABLE, UNSTABLE}:
+        reason = "a part of the box is proved stable and another part unstable"
+    return BoxDecision(verdict, reason, chart)
 
 
 @checked
 def certified_chart(report: Report, region: Mapping[str, Any], *, resolution: Any = Fraction(1, 8192),
-                    limit: int = 1_000_000,
-                    progress: Told | bool | None = None) -> CertifiedChart:
+                    limit: int = 1_000_000, progress: Told | bool | None = None) -> CertifiedChart:
     """A region paved by boxes, each with a proved verdict; the undecided ones lie along the boundary.
 
     Parameters

@@ -5,12 +5,13 @@ from functools import lru_cache
 
 import numpy as np
 from flint import arb
-from sympy import Expr, Rational
+from sympy import Expr
 
 from ..._cached import cached_property
 from ...algebra.enclosures.balls import ball
 from ...algebra.enclosures.double_double import two_sum
 from ...algebra.enclosures.floats import Array
+from ...algebra.enclosures.rationals import to_sympy
 from ...algebra.reals.exact import sign_of_constant
 
 # bits of the enclosures that are rounded to float64
@@ -21,9 +22,18 @@ PRECISION = 64
 class Enclosure:
     """Bounds of a quantity, an entry for each box; (−∞, ∞) where nothing is known, never NaN.
 
+    Sums and products are rounded outward, but where a sum, or a product of short numbers, is exact.
+
     Parameters
     ----------
     low, high : array, shape (boxes,) or ()
+
+    Examples
+    --------
+    >>> from sympy import Rational
+    >>> one = enclosed(Rational(3)) * enclosed(Rational(1, 3))
+    >>> bool(one.low < 1 < one.high)
+    True
     """
 
     low: Array
@@ -40,9 +50,38 @@ class Enclosure:
         """Where 0 is excluded."""
         return (self.low > 0) | (self.high < 0)
 
+    def where(self, known: Array) -> "Enclosure":
+        """The same where something is known, the whole line elsewhere."""
+        return Enclosure(np.where(known, self.low, -np.inf), np.where(known, self.high, np.inf))
+
     def __and__(self, other: "Enclosure") -> "Enclosure":
         """What two enclosures of one quantity say together."""
         return Enclosure(np.maximum(self.low, other.low), np.minimum(self.high, other.high))
+
+    def __add__(self, other: "Enclosure") -> "Enclosure":
+        (low, low_exact), (high, high_exact) = _sum(self.low, other.low), _sum(self.high, other.high)
+        return outward(low, high, low_exact, high_exact)
+
+    def __neg__(self) -> "Enclosure":
+        return Enclosure(-self.high, -self.low)
+
+    def __sub__(self, other: "Enclosure") -> "Enclosure":
+        return self + -other
+
+    def __mul__(self, other: "Enclosure") -> "Enclosure":
+        """The product; of one and the same quantity the square, which is not negative."""
+        exact = self.short & other.short
+        if self is other:
+            ends = self.low * self.low, self.high * self.high
+            square = outward(np.minimum(*ends), np.maximum(*ends), exact, exact)
+            return Enclosure(np.where(self.apart, np.maximum(square.low, 0), 0.0), square.high)
+        products = self.low * other.low, self.low * other.high, self.high * other.low, self.high * other.high
+        low, high = (bound(bound(*products[:2]), bound(*products[2:])) for bound in (np.minimum, np.maximum))
+        return outward(low, high, exact, exact)
+
+    def reciprocal(self) -> "Enclosure":
+        """1/x, the whole line where 0 is not excluded."""
+        return outward(1 / self.high, 1 / self.low).where(self.apart)
 
 
 def outward(low: Array, high: Array, low_exact: Array | bool = False,
@@ -51,10 +90,8 @@ def outward(low: Array, high: Array, low_exact: Array | bool = False,
 
     The whole line where an operation was undefined.
     """
-    low, high = (
-        np.where(low_exact, low, np.nextafter(low, -np.inf)),
-        np.where(high_exact, high, np.nextafter(high, np.inf)),
-    )
+    low = np.where(low_exact, low, np.nextafter(low, -np.inf))
+    high = np.where(high_exact, high, np.nextafter(high, np.inf))
     return Enclosure(np.where(np.isnan(low), -np.inf, low), np.where(np.isnan(high), np.inf, high))
 
 
@@ -67,52 +104,6 @@ def _sum(a: Array, b: Array) -> tuple[Array, Array]:
     return total, error == 0
 
 
-class Outward:
-    """The arithmetic of enclosures, for straight-line programs.
-
-    Exact where a sum, or a product of short numbers, is exact.
-
-    Examples
-    --------
-    >>> third = enclosed(Rational(1, 3))
-    >>> one = Outward.multiply(enclosed(Rational(3)), third)
-    >>> bool(one.low < 1 < one.high)
-    True
-    """
-
-    @staticmethod
-    def add(a: Enclosure, b: Enclosure) -> Enclosure:
-        (low, low_exact), (high, high_exact) = _sum(a.low, b.low), _sum(a.high, b.high)
-        return outward(low, high, low_exact, high_exact)
-
-    @staticmethod
-    def subtract(a: Enclosure, b: Enclosure) -> Enclosure:
-        return Outward.add(a, Outward.negative(b))
-
-    @staticmethod
-    def negative(a: Enclosure) -> Enclosure:
-        return Enclosure(-a.high, -a.low)
-
-    @staticmethod
-    def multiply(a: Enclosure, b: Enclosure) -> Enclosure:
-        """The product; of one and the same quantity the square, which is not negative."""
-        exact = a.short & b.short
-        if a is b:
-            one, other = a.low * a.low, a.high * a.high
-            square = outward(np.minimum(one, other), np.maximum(one, other), exact, exact)
-            return Enclosure(np.where(a.apart, np.maximum(square.low, 0), 0.0), square.high)
-        products = a.low * b.low, a.low * b.high, a.high * b.low, a.high * b.high
-        low, high = (bound(bound(*products[:2]), bound(*products[2:])) for bound in (np.minimum, np.maximum))
-        return outward(low, high, exact, exact)
-
-    @staticmethod
-    def reciprocal(a: Enclosure) -> Enclosure:
-        """1/x, the whole line where 0 is not excluded."""
-        inverse = outward(1 / a.high, 1 / a.low)
-        apart = a.apart
-        return Enclosure(np.where(apart, inverse.low, -np.inf), np.where(apart, inverse.high, np.inf))
-
-
 @lru_cache(maxsize=4096)
 def rounded(number: Expr) -> tuple[float, float]:
     """The greatest float that is not above an exact real number and the least that is not below it, infinite
@@ -120,7 +111,7 @@ def rounded(number: Expr) -> tuple[float, float]:
 
     Examples
     --------
-    >>> from sympy import S, sqrt
+    >>> from sympy import Rational, S, sqrt
     >>> rounded(S.Half), rounded(sqrt(2)), rounded(Rational(10)**400)
     ((0.5, 0.5), (1.414213562373095, 1.4142135623730951), (1.7976931348623157e+308, inf))
     """
@@ -135,7 +126,7 @@ def rounded(number: Expr) -> tuple[float, float]:
 
 
 def _not_below(number: Expr, bound: float) -> bool:
-    return math.isfinite(bound) and sign_of_constant(number - Rational(*bound.as_integer_ratio())) in (0, 1)
+    return math.isfinite(bound) and sign_of_constant(number - to_sympy(bound)) in (0, 1)
 
 
 def enclosed(constant: Expr) -> Enclosure:
@@ -149,4 +140,3 @@ def bounds_of(low: arb, high: arb) -> tuple[float, float]:
     if not (low.is_finite() and high.is_finite()):
         return -np.inf, np.inf
     return math.nextafter(float(low.lower()), -math.inf), math.nextafter(float(high.upper()), math.inf)
-

@@ -27,6 +27,7 @@ from .regions import Region
 
 Bounds = dict[Expr, Enclosure]
 
+
 def _compared(bounds: Enclosure, relation: Relation) -> Array:
     """Whether a relation to 0 is proved or disproved at every point of a box."""
     if relation in (operator.ne, operator.eq):
@@ -94,9 +95,8 @@ class Proof:
             left = np.flatnonzero((code == UNDECIDED) | partly.any(axis=0))
             if len(left):
                 bounds = {e: Enclosure(b.low[left], b.high[left]) for e, b in bounds.items()}
-                code[left], influence[left] = self._judge_sharply(
-                    bounds, low[left], high[left], partly[:, left]
-                )
+                found = self._judge_sharply(bounds, low[left], high[left], partly[:, left])
+                code[left], influence[left] = found
         return code, influence
 
     def _partly(self, bounds: Bounds, low: Array, high: Array) -> Array:
@@ -113,8 +113,7 @@ class Proof:
         return np.array([(a < -1e-9 * b) & (b > 0) for a, b in [*((m.low, m.high) for m in margins),
                                                                 *sides]]).reshape(-1, len(low))
 
-    def _judge_sharply(self, bounds: Bounds, low: Array, high: Array,
-                       partly: Array) -> tuple[Array, Array]:
+    def _judge_sharply(self, bounds: Bounds, low: Array, high: Array, partly: Array) -> tuple[Array, Array]:
         """As judge, where the natural enclosures leave something open.
 
         What matters is enclosed again, by its slopes.

@@ -44,8 +44,7 @@ def region_of(report: Report, given: Mapping[str, Any]) -> Region:
     eq = report.equilibrium
     if eq.constraints:
         raise ScopeError(f"{eq.label} exists only where {eq.constraints[0]} = 0, on no box of its "
-                         "parameters: eliminate a name "
-                         "that enters this relation affinely")
+                         "parameters: eliminate a name that enters this relation affinely")
     names = [str(name) for name in given]
     check_family(eq, names, report.compared, report.parameters,
                  "give a number or a pair (low, high) for each")

@@ -3,17 +3,16 @@
 Zeros of margins, each point of them on a line of the grid, moved along it to the last bits.
 """
 from collections.abc import Callable, Mapping, Sequence
-from functools import partial
 from typing import Any
 
 import numpy as np
 from sympy import Expr, Rational, Symbol
 
-from ...algebra.enclosures.double_double import Twofold, TwofoldArithmetic
+from ...algebra.enclosures.double_double import Twofold
 from ...algebra.enclosures.floats import Array, in_floats
 from ..signs.compiled_margins import compile_margin
 from ..signs.rounding import error_bound
-from ..signs.straightline import Program, program_of
+from ..signs.straightline import program_of
 from .crossings import Sign, edges, joined, pieces, zeros
 
 Verdicts = Callable[[Array, Array], Array]
@@ -23,8 +22,7 @@ _AROUND = [(i, j) for i in (-1, 0, 1) for j in (-1, 0, 1) if (i, j) != (0, 0)]
 
 
 def boundary(margins: Sequence[Expr], numbers: Mapping[Symbol, Expr], x: tuple[Symbol, Array],
-             y: tuple[Symbol, Array],
-             verdict: Array, ask: Verdicts | None = None) -> tuple[Array, Array]:
+             y: tuple[Symbol, Array], verdict: Array, ask: Verdicts | None = None) -> tuple[Array, Array]:
     """Points of the curves between different verdicts, NaN between the pieces.
 
     Marching squares on the sign of each margin; a vertex is kept where the verdict differs on the two sides
@@ -62,12 +60,9 @@ def boundary(margins: Sequence[Expr], numbers: Mapping[Symbol, Expr], x: tuple[S
     >>> boundary([a**2 - 2], {}, (a, across), (b, up), stable)
     (array([1.41421356, 1.41421356]), array([1., 0.]))
     """
-    known = []
-    for margin in dict.fromkeys(margin.xreplace(dict(numbers)) for margin in margins):
-        if {x[0], y[0]} & margin.free_symbols:
-            program = program_of(margin, {})
-            sign = partial(sign_at, program, x[0], y[0])
-            known.append((sign, signs_of(margin, program, x, y, sign)))
+    known = [(sign_of(margin, x[0], y[0]), signs_of(margin, x, y))
+             for margin in dict.fromkeys(margin.xreplace(dict(numbers)) for margin in margins)
+             if {x[0], y[0]} & margin.free_symbols]
     crowded = _crowded([signs for _, signs in known])
     x_found, y_found = joined([_curves(sign, signs, (x[1], y[1]), verdict, crowded, ask)
                                for sign, signs in known])
@@ -80,11 +75,6 @@ def thinned(n: int) -> Array:
     All of them, or some 2000 that lie evenly, both ends included.
     """
     return np.unique(np.linspace(0, n - 1, min(n, FINEST)).round().astype(np.int64))
-
-
-def sign_at(program: Program, across: Symbol, up: Symbol, x: Array, y: Array) -> Array:
-    """The sign of a program in two names at points, in twofold arithmetic."""
-    return _sign(program, {across: x, up: y})
 
 
 def _crowded(signs: Sequence[Array]) -> tuple[Array, Array]:
@@ -103,24 +93,24 @@ def _curves(sign: Sign, signs: Array, axes: tuple[Array, Array], verdict: Array,
     points = np.full((2, len(gaps)), np.nan)
     places = [tuple(part[kept] for part in end) for end in (good, bad)]
     if kept.any():
-        sides = [(columns[c], rows[r]) for r, c in places]
+        sides = [np.array([columns[c], rows[r]]) for r, c in places]
         points[:, kept] = found = zeros(sign, *sides)
         (row, column), along = map(np.minimum, *places), places[0][0] == places[1][0]
         several = np.array([crowded[0][r, c] if flat else crowded[1][r, c]
                             for r, c, flat in zip(row, column, along)])
         if ask is not None and several.any():
-            points[:, np.flatnonzero(kept)[several]] = np.where(_parts(ask, found[:, several], *(
-                tuple(part[several] for part in side) for side in sides)), found[:, several], np.nan)
+            inside = found[:, several]
+            points[:, np.flatnonzero(kept)[several]] = np.where(
+                _parts(ask, inside, *(side[:, several] for side in sides)), inside, np.nan)
     return pieces(points)
 
 
-def signs_of(margin: Expr, program: Program, x: tuple[Symbol, Array], y: tuple[Symbol, Array],
-           sign: Sign) -> Array:
+def signs_of(margin: Expr, x: tuple[Symbol, Array], y: tuple[Symbol, Array]) -> Array:
     """The sign at every point of the grid, NaN where the margin has none.
 
     Where doubles cannot tell, in twofold arithmetic.
     """
-    (across, columns), (up, rows) = x, y
+    (across, columns), (up, rows), program = x, y, program_of(margin, {})
     given = {across: columns[None, :], up: rows[:, None]}
     used: dict[Symbol, Any] = {s: given[s] for s in (across, up) if s in margin.free_symbols}
     named: dict[str, Any] = {s.name: array for s, array in used.items()}
@@ -134,7 +124,7 @@ def signs_of(margin: Expr, program: Program, x: tuple[Symbol, Array], y: tuple[S
     signs = np.sign(values)
     near = np.nonzero(~(np.abs(values) > bound) & np.isfinite(values))
     if near[0].size:
-        signs[near] = sign(columns[near[1]], rows[near[0]])
+        signs[near] = sign_of(margin, across, up)(columns[near[1]], rows[near[0]])
     return signs
 
 
@@ -153,34 +143,33 @@ def _between_verdicts(verdict: Array, signs: Array, good: tuple[Array, ...], bad
     return different
 
 
-def _parts(ask: Verdicts, points: Array, good: tuple[Array, Array], bad: tuple[Array, Array]) -> Array:
+def _parts(ask: Verdicts, points: Array, good: Array, bad: Array) -> Array:
     """Whether the verdict differs between points on edges and their two sides, a few units of the last place
     away.
     """
     seen = [ask(*points)]
     for side in (good, bad):
-        steps = [np.minimum(4 * np.spacing(np.abs(value)), np.abs(end - value))
-                 for value, end in zip(points, side)]
-        seen.append(ask(*(value + np.sign(end - value) * step
-                          for value, end, step in zip(points, side, steps))))
+        step = np.minimum(4 * np.spacing(np.abs(points)), np.abs(side - points))
+        seen.append(ask(*(points + np.sign(side - points) * step)))
     return (seen[0] != seen[1]) | (seen[0] != seen[2])
 
 
-def _sign(program: Program, arrays: Mapping[Symbol, Array]) -> Array:
-    """The sign of a program at points, in twofold arithmetic."""
-    def leaf(value: Expr) -> Twofold:
-        if isinstance(value, Symbol):
-            return Twofold(arrays[value], np.float64(0))
-        return (
-            constant(Rational(value.evalf(40)))
-            if not value.free_symbols
-            else Twofold(in_floats(value, np, arrays), np.float64(0))
-        )
+def sign_of(margin: Expr, across: Symbol, up: Symbol) -> Sign:
+    """The sign of a margin in two names at points, in twofold arithmetic."""
+    program = program_of(margin, {})
 
     def constant(value: Rational) -> Twofold:
         near = float(value)
         return Twofold(np.float64(near), np.float64(float(value - Rational(near))))
 
-    with np.errstate(all="ignore"):
-        high, low = program.run(leaf, constant, TwofoldArithmetic)[-1]
-        return np.sign(np.where(high != 0, high, low))
+    def sign(x: Array, y: Array) -> Array:
+        def leaf(value: Expr) -> Twofold:
+            if not value.free_symbols:
+                return constant(Rational(value.evalf(40)))
+            return Twofold(in_floats(value, np, {across: x, up: y}), np.float64(0))
+
+        with np.errstate(all="ignore"):
+            found = program.run(leaf, constant)[-1]
+            return np.sign(np.where(found.high != 0, found.high, found.low))
+
+    return sign

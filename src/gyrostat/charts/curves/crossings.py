@@ -34,8 +34,8 @@ def _marched(signs: Array) -> Array:
     return np.empty((0, 2)) if lines is None else lines
 
 
-def zeros(sign: Sign, good: tuple[Array, Array], bad: tuple[Array, Array]) -> Array:
-    """Where the sign stops being 1 between two ends of an edge, shape (2, edges).
+def zeros(sign: Sign, good: Array, bad: Array) -> Array:
+    """Where the sign stops being 1 between two ends of an edge, shape (2, edges) each.
 
     So it does where there is none.
     """

@@ -1,6 +1,5 @@
 """Curves where gyroscopic forces hold a maximum: resonances of low order, and D4 = 0."""
-from collections.abc import Mapping
-from functools import partial
+from collections.abc import Callable, Mapping
 from typing import NamedTuple
 
 import numpy as np
@@ -17,10 +16,9 @@ from ..codes import CURVES, RUNGS
 from ..grids import Grid
 from ..signs.ball_arrays import SUM, BallArray
 from ..signs.stabilized_points import leaf, twists
-from ..signs.straightline import program_of
 from ..signs.verdict_arrays import grid_for
 from ..signs.verdicts_in_blocks import Decided, signs_in_row
-from .contours import sign_at, signs_of
+from .contours import sign_of, signs_of
 from .crossings import edges, joined, pieces, zeros
 
 WITHIN = 2.0**-12                                      # of an edge of the grid: what D4 = 0 is enclosed to
@@ -67,21 +65,13 @@ def window_curves(plane: Plane, rungs: Array) -> Array:
     factors = {name: Signs.over([margin]).normal_form(margin) for name, margin in margins.items()}
     positive, nonzero = Signs.over([p]).normal_form(p)
     oscillates = Condition(positive, True, "p", nonzero, eq.at)
-    found = [_coded(_resonance(plane, oscillates, factor, np.where(held, _signs(plane, factor), np.nan)),
-                    CURVES[name])
+    found = [_coded(_resonance(plane, oscillates, factor, held), CURVES[name])
              for name, (odd, even) in factors.items() for factor in (odd, *even)]
     negative = np.where(rungs == RUNGS[Rung.TWIST_NEGATIVE], -1.0, np.nan)
     twist = np.where(rungs == RUNGS[Rung.TWIST_POSITIVE], 1.0, negative)
-    double = _signs(plane, factors["resonance_1_2"][0])
+    double = signs_of(factors["resonance_1_2"][0], plane.x, plane.y)
     return joined([*found, _coded(_untwisted(plane, np.where(double == 0, np.nan, twist * double)),
                                   CURVES["D4_zero"])])
-
-
-def _signs(plane: Plane, factor: Expr) -> Array:
-    """The signs of a factor over the grid."""
-    program = program_of(factor, {})
-    sign = partial(sign_at, program, plane.x[0], plane.y[0])
-    return signs_of(factor, program, plane.x, plane.y, sign)
 
 
 def _beside(where: Array) -> Array:
@@ -95,40 +85,40 @@ def _coded(curve: Array, code: int) -> Array:
     return np.concatenate([curve, np.where(np.isnan(curve[:1]), np.nan, code)])
 
 
-def _resonance(plane: Plane, oscillates: Condition, factor: Expr, signs: Array) -> Array:
-    """Its zeros between the two criteria, but for those on the edge, p = q = 0."""
+def _on_edges(plane: Plane, signs: Array, zeros_between: Callable[[Array, Array], Array]) -> Array:
+    """What is found between the ends of the edges on which a sign changes, shape (2, points)."""
     gaps, good, bad = edges(signs)
     points = np.full((2, len(gaps)), np.nan)
-    if gaps.all():
-        return points[:, :0]
-    sides = [(plane.x[1][c[~gaps]], plane.y[1][r[~gaps]]) for r, c in (good, bad)]
-    sign = partial(sign_at, program_of(factor, {}), plane.x[0], plane.y[0])
-    found = zeros(sign, *sides)
-    grid = plane.grid(*found)
-    whole = tuple(slice(0, n) for n in grid.merged)
-    with np.errstate(all="ignore"):
-        inside = np.broadcast_to(Decided(plane.report, grid, "numpy").open(whole), grid.merged)[0]
-        inside = inside & (signs_in_row(oscillates, grid) == 1)
-    points[:, ~gaps] = np.where(inside, found, np.nan)
+    if not gaps.all():
+        points[:, ~gaps] = zeros_between(*(np.array([plane.x[1][c[~gaps]], plane.y[1][r[~gaps]]])
+                                           for r, c in (good, bad)))
     return pieces(points)
+
+
+def _resonance(plane: Plane, oscillates: Condition, factor: Expr, held: Array) -> Array:
+    """Its zeros between the two criteria, but for those on the edge, p = q = 0."""
+    def zeros_between(good: Array, bad: Array) -> Array:
+        found = zeros(sign_of(factor, plane.x[0], plane.y[0]), good, bad)
+        grid = plane.grid(*found)
+        with np.errstate(all="ignore"):
+            inside = np.broadcast_to(Decided(plane.report, grid, "numpy").open(grid.whole), grid.merged)[0]
+            return np.where(inside & (signs_in_row(oscillates, grid) == 1), found, np.nan)
+
+    return _on_edges(plane, np.where(held, signs_of(factor, plane.x, plane.y), np.nan), zeros_between)
 
 
 def _untwisted(plane: Plane, signs: Array) -> Array:
     """Zeros of D4 times the margin of 1:2, which has no pole, where that margin is not 0."""
-    gaps, good, bad = edges(signs)
-    points = np.full((2, len(gaps)), np.nan)
-    if gaps.all():
-        return points[:, :0]
-    ends = [np.array([plane.x[1][c[~gaps]], plane.y[1][r[~gaps]]]) for r, c in (good, bad)]
-    with np.errstate(all="ignore"):
-        middle, half = _near_zero(plane, *ends), abs(ends[1] - ends[0]) * WITHIN / 2
-        wide = 2 * half + SUM * abs(middle)
-        D4, double = (x.sign().reshape(3, -1) for x in _twists(
-            plane, np.concatenate([middle - half, middle + half, middle], axis=1),
-            np.concatenate([0 * half, 0 * half, wide], axis=1)))
-    proved = (D4[0] * D4[1] < 0) & (double[2] != 0)
-    points[:, ~gaps] = np.where(proved, middle, np.nan)
-    return pieces(points)
+    def zeros_between(good: Array, bad: Array) -> Array:
+        with np.errstate(all="ignore"):
+            middle, half = _near_zero(plane, good, bad), abs(bad - good) * WITHIN / 2
+            wide = 2 * half + SUM * abs(middle)
+            D4, double = (x.sign().reshape(3, -1) for x in _twists(
+                plane, np.concatenate([middle - half, middle + half, middle], axis=1),
+                np.concatenate([0 * half, 0 * half, wide], axis=1)))
+        return np.where((D4[0] * D4[1] < 0) & (double[2] != 0), middle, np.nan)
+
+    return _on_edges(plane, signs, zeros_between)
 
 
 def _near_zero(plane: Plane, good: Array, bad: Array) -> Array:

@@ -5,6 +5,7 @@ import numpy as np
 from flint import fmpq
 
 from ...algebra.enclosures.floats import Array
+from ...algebra.enclosures.rationals import to_flint
 
 # more than the relative error of a sum, of a product or square root, of a quotient; beside numbers too small
 SUM, PRODUCT, QUOTIENT, TINY = 2.0**-52, 2.0**-51, 2.0**-48, 2.0**-900
@@ -125,12 +126,16 @@ class BallArray:
         return np.asarray(self.middle > self.radius)
 
 
+def near(doubles: Any, exact: bool) -> BallArray:
+    """Numbers that are doubles, or whose rounding these are."""
+    return BallArray(doubles, None if exact else np.asarray(abs(doubles) * SUM + TINY))
+
+
 def _ball(x: Any) -> BallArray:
     """A number as a ball; a fraction that is no double with what is lost."""
     if isinstance(x, BallArray):
         return x
     if isinstance(x, fmpq):
-        near = int(x.p) / int(x.q)
-        exact = fmpq(*near.as_integer_ratio()) == x
-        return BallArray(near, None if exact else np.asarray(abs(near) * SUM + TINY))
+        value = int(x.p) / int(x.q)
+        return near(value, to_flint(value) == x)
     return BallArray(float(x) if not isinstance(x, complex) else x)

@@ -13,79 +13,56 @@ from ...errors import ValuesError, require
 from ...stability.criteria.truth import Relation
 from ..grids import Grid, Slices, cut
 from ..progress import Told
-from .kernels import Finish, Kernel
+from .kernels import Kernel
 from .straightline import program_of
 from .tiles import Tiles
 
 # points: a few buffers fit a core's cache; a call is short beside the loop
 NUMPY_BLOCK, NUMBA_BLOCK = 2**17, 2**20
 Writer = Callable[[Slices, Array], None]                # writes a block of a result
+# what Numba compiles: values, and tests of margins; even factors are few and short
+_COMPILED: dict[Relation | None, str] = {None: "{0}", operator.gt: "{0} > 0", operator.ge: "{0} >= 0"}
+_COMPARED: dict[Relation, np.ufunc] = {operator.gt: np.greater, operator.ge: np.greater_equal,
+                                       operator.ne: np.not_equal, operator.eq: np.equal}
 
 
-def writer(margin: Expr, grid: Grid, finish: Finish, backend: str, kind: Any,
+def writer(expression: Expr, relation: Relation | None, grid: Grid, backend: str, kind: Any,
            spent: list[float]) -> Writer:
-    """What writes the value of a margin, or a test of it, into a block of the result."""
-    tiles = tiles_of(margin, grid, kind)
-    if backend == "numba" and tiles.inner:
-        return Kernel(tiles, finish, spent)
-
-    def write(block: Slices, out: Array) -> None:
-        if finish == "value":
-            value = tiles.value(block, out)
-            if value is not out:
-                out[...] = value
-        else:
-            (np.greater if finish == "positive" else np.greater_equal)(tiles.value(block), 0, out=out)
-
-    return write
-
-
-def factor_writer(factor: Expr, grid: Grid, relation: Relation, kind: Any) -> Writer:
-    """What writes whether an even factor stands in a relation to 0."""
-    tiles = tiles_of(factor, grid, kind)
-    compared = np.not_equal if relation is operator.ne else np.equal
-
-    def write(block: Slices, out: Array) -> None:
-        compared(tiles.value(block), 0, out=out)
-
-    return write
-
-
-def every_of(writers: Iterable[Writer]) -> Writer:
-    """What writes where all hold."""
-    return _joined(list(writers), np.logical_and, True)
-
-
-def some_of(writers: Iterable[Writer]) -> Writer:
-    """What writes where one holds."""
-    return _joined(list(writers), np.logical_or, False)
-
-
-def _joined(writers: Sequence[Writer], operation: np.ufunc, none: bool) -> Writer:
-    if len(writers) == 1:
-        return writers[0]
-
-    def write(block: Slices, out: Array) -> None:
-        if not writers:
-            out[...] = none
-            return
-        writers[0](block, out)
-        other = np.empty_like(out)
-        for another in writers[1:]:
-            another(block, other)
-            operation(out, other, out=out)
-
-    return write
-
-
-def tiles_of(margin: Expr, grid: Grid, kind: Any = np.float64) -> Tiles:
-    """The program of a margin over a grid."""
+    """What writes the value of an expression into a block of the result, or its relation to 0."""
     def read(leaf: Expr, block: Slices) -> Array:
         here = {s: cut(grid.values[s], block) for s in leaf.free_symbols}
         return np.asarray(in_floats(leaf, np, here), dtype=kind)
 
-    full = frozenset(i for i, n in enumerate(grid.merged) if n > 1)
-    return Tiles(program_of(margin, grid.axes), full, read, kind)
+    tiles = Tiles(program_of(expression, grid.axes), grid.full, read, kind)
+    if backend == "numba" and tiles.inner and relation in _COMPILED:
+        return Kernel(tiles, _COMPILED[relation], spent)
+
+    def write(block: Slices, out: Array) -> None:
+        if relation is not None:
+            _COMPARED[relation](tiles.value(block), 0, out=out)
+        elif (value := tiles.value(block, out)) is not out:
+            out[...] = value
+
+    return write
+
+
+def joined(operation: np.ufunc, writers: Iterable[Writer]) -> Writer:
+    """What writes where all hold, by np.logical_and, or where one holds, by np.logical_or."""
+    given = list(writers)
+    if len(given) == 1:
+        return given[0]
+
+    def write(block: Slices, out: Array) -> None:
+        if not given:
+            out[...] = operation.identity
+            return
+        given[0](block, out)
+        other = np.empty_like(out)
+        for another in given[1:]:
+            another(block, other)
+            operation(out, other, out=out)
+
+    return write
 
 
 def prepared(out: Array | None, shape: tuple[int, ...], kind: Any) -> Array:
@@ -96,8 +73,7 @@ def prepared(out: Array | None, shape: tuple[int, ...], kind: Any) -> Array:
     if out.shape != shape or out.dtype != kind or not out.flags.carray:
         kept = "" if out.flags.carray else ", and is read-only or not C-contiguous"
         raise ValuesError(f"out has shape {out.shape}, type {out.dtype}{kept}; the result has shape "
-                          f"{shape}, type {np.dtype(kind)}: "
-                          "pass an array made by np.empty")
+                          f"{shape}, type {np.dtype(kind)}: pass an array made by np.empty")
     return out
 
 

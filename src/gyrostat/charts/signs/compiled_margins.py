@@ -1,7 +1,7 @@
 """Margins and criteria as functions of named arrays: NumPy in blocks, Numba, or any array namespace."""
 import operator
 from collections.abc import Iterable, Mapping
-from functools import reduce
+from functools import partial, reduce
 from itertools import chain
 from types import ModuleType
 from typing import Any
@@ -18,18 +18,7 @@ from ...stability.criteria.numbers_asked import check_names, names_in
 from ...stability.criteria.truth import Relation, truth
 from ..grids import Grid, Slices, grid_of
 from ..labels import check_plain
-from .block_writing import (
-    NUMBA_BLOCK,
-    NUMPY_BLOCK,
-    Writer,
-    every_of,
-    factor_writer,
-    in_threads,
-    prepared,
-    some_of,
-    writer,
-)
-from .kernels import Finish
+from .block_writing import NUMBA_BLOCK, NUMPY_BLOCK, Writer, in_threads, joined, prepared, writer
 from .rounding import rounded
 from .straightline import program_of
 
@@ -128,16 +117,12 @@ class CompiledMargin:
 
     def _writer(self, grid: Grid, kind: Any) -> Writer:
         """What fills a block."""
+        def written(expression: Expr, relation: Relation | None) -> Writer:
+            return writer(expression, relation, grid, self.backend, kind, self._spent)
+
         if isinstance(self._what, Expr):
-            return writer(self._what, grid, "value", self.backend, kind, self._spent)
-
-        def compare(expression: Expr, relation: Relation) -> Writer:
-            if relation in (operator.gt, operator.ge):
-                finish: Finish = "positive" if relation is operator.gt else "nonnegative"
-                return writer(expression, grid, finish, self.backend, kind, self._spent)
-            return factor_writer(expression, grid, relation, kind)
-
-        return truth(self._what, compare, every_of, some_of)
+            return written(self._what, None)
+        return truth(self._what, written, partial(joined, np.logical_and), partial(joined, np.logical_or))
 
     def _everywhere(self, xp: ModuleType, arrays: Mapping[str, Any]) -> Any:
         """The whole result at once, in another namespace."""
@@ -148,14 +133,11 @@ class CompiledMargin:
         if isinstance(self._what, Expr):
             return _in_namespace(self._what, xp, given)
 
-        def joined(answers: Iterable[Any], operation: Relation, none: bool) -> Any:
-            return reduce(operation, answers, xp.asarray(none))
-
         def compare(expression: Expr, relation: Relation) -> Any:
             return relation(_in_namespace(expression, xp, given), 0)
 
-        return truth(self._what, compare, lambda answers: joined(answers, operator.and_, True),
-                     lambda answers: joined(answers, operator.or_, False))
+        return truth(self._what, compare, lambda answers: reduce(operator.and_, answers, xp.asarray(True)),
+                     lambda answers: reduce(operator.or_, answers, xp.asarray(False)))
 
 
 @checked
@@ -207,12 +189,7 @@ def compile_margin(what: Condition | Criterion | Expr, backend: str | ModuleType
         optional("numba", "fast")
     if isinstance(what, Condition):
         return CompiledMargin(what.margin, backend)
-    if isinstance(what, Criterion):
-        return CompiledMargin(what, backend)
-    if isinstance(what, Expr):
-        return CompiledMargin(own(what), backend)
-    raise ArgumentError(f"what to compile is a {type(what).__name__}, not a Condition or a Criterion: pass "
-                        "report.sufficient, say")
+    return CompiledMargin(own(what) if isinstance(what, Expr) else what, backend)
 
 
 def _in_namespace(margin: Expr, xp: ModuleType, given: Mapping[str, Any]) -> Any:
@@ -222,4 +199,4 @@ def _in_namespace(margin: Expr, xp: ModuleType, given: Mapping[str, Any]) -> Any
     axes = {s: frozenset(i + dimensions - a.ndim for i, n in enumerate(a.shape) if n != 1)
             for s, a in arrays.items()}
     return program_of(margin, axes).run(lambda leaf: in_floats(leaf, xp, arrays),
-                                        lambda c: xp.asarray(rounded(c)[0], dtype=kind), xp)[-1]
+                                        lambda c: xp.asarray(rounded(c)[0], dtype=kind))[-1]

@@ -1,6 +1,7 @@
 """Exact signs of polynomials at many doubles at once: a double is a whole number times a power of 2."""
 from collections.abc import Mapping
-from typing import Any, NamedTuple
+from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from sympy import Expr, Rational
@@ -14,33 +15,33 @@ LONGEST = 4096                                         # bits of whole numbers t
 TOGETHER = 1024                                        # points of which those are kept in memory
 
 
-class Dyadics(NamedTuple):
-    """Numbers whole · 2^power: arrays, the whole ones modulo 2⁶⁴, or Python's without an end."""
+@dataclass(frozen=True, eq=False)
+class Dyadics:
+    """Numbers whole · 2^power: arrays, the whole ones modulo 2⁶⁴, or Python's without an end.
+
+    Sums and products are taken without rounding.
+    """
 
     whole: Array
     power: Array
 
+    def __add__(self, other: "Dyadics") -> "Dyadics":
+        power = np.minimum(self.power, other.power)
+        return Dyadics(self._shifted(power) + other._shifted(power), power)
 
-class DyadicArithmetic:
-    """Sums and products without rounding, for straight-line programs."""
+    def __neg__(self) -> "Dyadics":
+        return Dyadics(-self.whole, self.power)
 
-    @staticmethod
-    def add(a: Dyadics, b: Dyadics) -> Dyadics:
-        power = np.minimum(a.power, b.power)
-        return Dyadics(_shifted(a, power) + _shifted(b, power), power)
+    def __sub__(self, other: "Dyadics") -> "Dyadics":
+        power = np.minimum(self.power, other.power)
+        return Dyadics(self._shifted(power) - other._shifted(power), power)
 
-    @staticmethod
-    def subtract(a: Dyadics, b: Dyadics) -> Dyadics:
-        power = np.minimum(a.power, b.power)
-        return Dyadics(_shifted(a, power) - _shifted(b, power), power)
+    def __mul__(self, other: "Dyadics") -> "Dyadics":
+        return Dyadics(self.whole * other.whole, self.power + other.power)
 
-    @staticmethod
-    def multiply(a: Dyadics, b: Dyadics) -> Dyadics:
-        return Dyadics(a.whole * b.whole, a.power + b.power)
-
-    @staticmethod
-    def negative(a: Dyadics) -> Dyadics:
-        return Dyadics(-a.whole, a.power)
+    def _shifted(self, power: Array) -> Array:
+        """The whole numbers of a lower power."""
+        return self.whole << (self.power - power).astype(self.whole.dtype)
 
 
 def dyadic_signs(program: Program, leaves: Mapping[Expr, Array], most: Array) -> tuple[Array, Array]:
@@ -79,7 +80,7 @@ def dyadic_signs(program: Program, leaves: Mapping[Expr, Array], most: Array) ->
     left = np.flatnonzero(short & ~found)
     for start in range(0, len(left), TOGETHER):
         here = left[start:start + TOGETHER]
-        whole = _run(program, {leaf: Dyadics(*(a[here] if len(a) > 1 else a for a in x))
+        whole = _run(program, {leaf: Dyadics(*(a[here] if len(a) > 1 else a for a in (x.whole, x.power)))
                                for leaf, x in exact.items()}, object).whole
         signs[here], found[here] = (whole > 0).astype(np.int8) - (whole < 0), True
     return signs, found
@@ -100,11 +101,5 @@ def _run(program: Program, leaves: Mapping[Expr, Dyadics], kind: Any) -> Dyadics
         odd = int(value) >> zeros
         return Dyadics(np.array([odd if kind is object else odd % 2**WORD], dtype=kind), np.array([zeros]))
 
-    return program.run(lambda leaf: leaves[leaf]._replace(whole=leaves[leaf].whole.astype(kind)), constant,
-                       DyadicArithmetic)[-1]
-
-
-def _shifted(a: Dyadics, power: Array) -> Array:
-    """Whole numbers of a lower power."""
-    return a.whole << (a.power - power).astype(a.whole.dtype)
-
+    read = {leaf: Dyadics(x.whole.astype(kind), x.power) for leaf, x in leaves.items()}
+    return program.run(read.__getitem__, constant)[-1]

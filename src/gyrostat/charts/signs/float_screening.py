@@ -1,24 +1,23 @@
 """A list of points screened by floats: one look at its columns, after which few points are left."""
-import operator
 from collections.abc import Iterable, Sequence
 from itertools import chain
-from types import SimpleNamespace
 
 import numpy as np
 from sympy import Expr, Symbol
 
 from ...algebra.enclosures.floats import Array
+from ...algebra.rings.polynomials import Ring
 from ...stability.report.report import Report
 from ..grids import Grid, Slices, cut
 from .block_writing import NUMBA_BLOCK, NUMPY_BLOCK
-from .kernels import function_of, written
+from .given_columns import largest_size
+from .kernels import assignments, function_of
 from .rounding import LARGEST, error_bound, rounded
 from .straightline import Program, program_of
 from .verdicts_in_blocks import Decided, Demands
 
 SAMPLE, ROOM = 64, 1.5                                 # numbers of a column that tell how large most are
 HIGHEST = 32                                           # degree up to which a bound has room for larger ones
-_DEGREES = SimpleNamespace(add=max, subtract=max, multiply=operator.add, negative=abs)
 
 
 class Screen:
@@ -40,7 +39,7 @@ class Screen:
     def __init__(self, report: Report, grid: Grid, demands: Demands):
         self.report, self.grid = report, grid
         assert demands.alone is not None
-        degree = program_of(demands.alone, grid.axes).run(lambda leaf: 1, lambda c: 0, _DEGREES)[-1]
+        degree = Ring([demands.alone]).numerator(demands.alone).total_degree()
         largest = {s: _largest(a, degree <= HIGHEST) for s, a in grid.values.items()}
         tests = [*((e, "{0} > {1}") for e in demands.positive),
                  *((e, "abs({0}) > {1}") for e in demands.nonzero),
@@ -69,8 +68,7 @@ class Screen:
         columns = np.concatenate(left)
         if not len(columns):
             return None
-        whole = tuple(slice(0, n) for n in self.grid.merged)
-        points = self.grid.at(whole, np.zeros_like(columns), columns)
+        points = self.grid.at(self.grid.whole, np.zeros_like(columns), columns)
         found = np.empty(points.merged, np.int8)
         first = Decided(self.report, points, "numpy").fill(points.blocks(NUMPY_BLOCK), found)
         result[0, columns] = found[0]
@@ -94,8 +92,7 @@ def _largest(array: Array, sampled: bool) -> float:
     if array.size == 1:
         return abs(array.item()) if np.isfinite(array.item()) else float("nan")
     if not sampled:
-        most = np.fmax(np.fmax.reduce(array, axis=None), -np.fmin.reduce(array, axis=None))
-        return min(float(most), LARGEST)
+        return min(largest_size(array), LARGEST)
     places = np.arange(SAMPLE) * ((5**0.5 - 1) / 2) % 1 * array.size
     some = np.abs(array.reshape(-1)[places.astype(int)])
     return min(ROOM * float(np.max(some, initial=0.0, where=np.isfinite(some))), LARGEST)
@@ -108,16 +105,12 @@ def _source(grid: Grid, programs: Sequence[tuple[Program, str]]) -> str:
     answers = [f"(abs({name}) <= c{i})" for i, name in enumerate(names.values())]
     lines: list[str] = []
     for k, (program, test) in enumerate(programs):
-        results: list[str] = []
-        for i, step in enumerate(program.steps):
-            if step.operation == "leaf":
-                results.append(names[step.value])
-            elif step.operation == "constant":
-                results.append(repr(min(rounded(step.value)[0], LARGEST)))     # there is no bound beyond
-            else:
-                lines.append(f"x{k}_{i} = " + written(step.operation, [results[n] for n in step.arguments]))
-                results.append(f"x{k}_{i}")
-        answers.append(f"({test.format(results[-1], f'e{k}')})")
+        steps = list(enumerate(program.steps))
+        results = {i: names[step.value] if step.operation == "leaf"
+                   else repr(min(rounded(step.value)[0], LARGEST))             # there is no bound beyond
+                   for i, step in steps if not step.arguments}
+        lines += assignments([(i, step) for i, step in steps if step.arguments], results, f"x{k}_")
+        answers.append(f"({test.format(results[len(steps) - 1], f'e{k}')})")
     *known, sign = answers
     arguments = [f"{x}{i}" for x, n in (("a", len(names)), ("c", len(names)), ("e", len(programs)))
                  for i in range(n)]

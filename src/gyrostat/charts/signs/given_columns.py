@@ -9,6 +9,7 @@ from sympy import Expr, Rational
 
 from ...algebra.enclosures.balls import ball
 from ...algebra.enclosures.floats import Array
+from ...algebra.enclosures.rationals import to_sympy
 from ...algebra.reals.exact import LIMIT
 from ...algebra.text.numbers import exact_number
 from ...arguments import MOST
@@ -17,11 +18,8 @@ from ...errors import ValuesError
 
 def read_entry(name: str, value: Any, kind: Any, finite: bool) -> tuple[Array, Array | None]:
     """Floats, and the exact numbers where a float is not one."""
-    if (
-        isinstance(value, (str, Decimal, Fraction, Expr))
-        or isinstance(value, int)
-        and not isinstance(value, bool)
-    ):
+    if isinstance(value, str | Decimal | Fraction | Expr) or (
+            isinstance(value, int) and not isinstance(value, bool)):
         value = np.array(exact_number(value, name), dtype=object)
     if isinstance(value, range) and len(value) > MOST:
         raise ValuesError(f"{name} has {len(value)} values: give at most {MOST}, or an array of NumPy")
@@ -33,11 +31,8 @@ def read_entry(name: str, value: Any, kind: Any, finite: bool) -> tuple[Array, A
         raise ValuesError(f"{name} is a sequence of sequences that differ in length: give rows of one "
                           "length") from None
     if array.dtype.kind in "iu":
-        array = (
-            array.astype(object)
-            if array.size and max(abs(int(array.min())), abs(int(array.max()))) > 2**53
-            else array.astype(kind)
-        )
+        long = array.size and max(abs(int(array.min())), abs(int(array.max()))) > 2**53
+        array = array.astype(object if long else kind)
     if array.dtype.kind == "f" and array.dtype.itemsize <= 8:
         if finite and not all_finite(array):
             where = tuple(int(i) for i in np.argwhere(~np.isfinite(array))[0])
@@ -46,8 +41,7 @@ def read_entry(name: str, value: Any, kind: Any, finite: bool) -> tuple[Array, A
         return array.astype(kind, copy=False), None
     if array.dtype.kind != "O":
         raise ValuesError(f"{name} is an array of {array.dtype}, not of real numbers: give floats of at "
-                          "most 64 bits, integers, "
-                          "or exact numbers such as Fraction")
+                          "most 64 bits, integers, or exact numbers such as Fraction")
     numbers = np.empty(array.shape, dtype=object)
     for where in np.ndindex(array.shape):
         if finite or not isinstance(x := array[where], float) or isfinite(x):
@@ -55,7 +49,7 @@ def read_entry(name: str, value: Any, kind: Any, finite: bool) -> tuple[Array, A
         else:
             numbers[where] = float("nan")              # the only floats among the exact numbers
     floats = np.array([_near(x) for x in numbers.flat], dtype=float).reshape(array.shape)
-    if all(Rational(*x.as_integer_ratio()) == n if np.isfinite(x) else False
+    if all(to_sympy(x) == n if np.isfinite(x) else False
            for x, n in zip(floats.ravel().tolist(), numbers.flat)):
         return floats.astype(kind), None
     return floats.astype(kind), numbers
@@ -64,6 +58,13 @@ def read_entry(name: str, value: Any, kind: Any, finite: bool) -> tuple[Array, A
 def all_finite(array: Array) -> bool:
     """Whether an array of floats has no NaN and no infinity, found without another array."""
     return not array.size or bool(np.isfinite(array.min()) and np.isfinite(array.max()))
+
+
+def largest_size(array: Array) -> float:
+    """The size of the largest number of an array, NaN aside, found without another array."""
+    if not array.size:
+        return 0.0
+    return float(np.fmax(np.fmax.reduce(array, axis=None), -np.fmin.reduce(array, axis=None)))
 
 
 def _near(number: Expr | float) -> float:

@@ -4,6 +4,7 @@ from math import lcm
 from flint import fmpq
 from sympy import Expr, Rational, Symbol
 
+from ...algebra.enclosures.rationals import to_flint
 from ...algebra.reals.exact import compiled
 from ...algebra.rings.polynomials import Ring
 from ..grids import Grid
@@ -33,12 +34,9 @@ def with_constants(margin: Expr, grid: Grid) -> Expr:
     return ring.expression(polynomial * scale)
 
 
-
 def _constant(grid: Grid, name: Symbol) -> fmpq | None:
     """The rational number of a name, None where it varies or is another."""
     if name not in grid.values or grid.values[name].size != 1 or grid.strange(name) is not None:
         return None
     number = grid.exact[name].item() if name in grid.exact else grid.values[name].item()
-    if isinstance(number, float):
-        return fmpq(*number.as_integer_ratio())
-    return fmpq(int(number.p), int(number.q)) if isinstance(number, Rational) else None
+    return to_flint(number) if isinstance(number, float | Rational) else None

@@ -2,23 +2,23 @@
 
 Floats with a proved bound, then whole numbers; with functions or exact numbers balls, and rationals.
 """
-import operator
 from functools import lru_cache
 from math import isfinite
-from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
-from flint import arb, fmpq
+from flint import arb
 from sympy import Expr, Integer, Rational, Symbol
 
 from ...algebra.enclosures.balls import ball
 from ...algebra.enclosures.floats import Array
 from ...algebra.enclosures.precision import ONE_AT_A_TIME, own_precision
+from ...algebra.enclosures.rationals import to_flint, to_sympy
 from ...algebra.reals.exact import compiled, sign
-from ..grids import Grid, Slices, cut, places
+from ..grids import Grid, Slices, cut, gathered, places
 from .dyadic import dyadic_signs
-from .kernels import Kernel
+from .given_columns import largest_size
+from .kernels import SIGN, Kernel
 from .rounding import error_bound, rounded
 from .straightline import Program, program_of
 from .tiles import Tiles
@@ -26,8 +26,7 @@ from .tiles import Tiles
 UNKNOWN = 2                                            # no sign is proved
 TOGETHER = 2**14                                       # points, of which all steps fit a cache
 PRECISION = 128                                        # bits of the first balls
-_BALLS = SimpleNamespace(add=operator.add, subtract=operator.sub, multiply=operator.mul,
-                         negative=operator.neg)
+
 # of a function computed in balls and rounded to a double
 _ROUNDINGS = 2
 
@@ -43,23 +42,20 @@ class ArraySigns:
         of doubles
     backend : str
         "numpy" or "numba"
-    spent : list
-        seconds of compiling are entered
     """
 
-    def __init__(self, expression: Expr, grid: Grid, backend: str, spent: list[float]):
+    def __init__(self, expression: Expr, grid: Grid, backend: str = "numpy"):
         self.expression, self.grid = expression, grid
-        full = frozenset(i for i, n in enumerate(grid.merged) if n > 1)
         program = program_of(expression, grid.axes)
-        self.tiles = Tiles(program, full, self._read)
-        self.kernel = Kernel(self.tiles, "sign", spent) if backend == "numba" and self.tiles.inner else None
+        self.tiles = Tiles(program, grid.full, self._read)
+        self.kernel = Kernel(self.tiles, SIGN, []) if backend == "numba" and self.tiles.inner else None
         with ONE_AT_A_TIME:
             largest = {leaf: self._largest(leaf) for leaf in program.leaves}
         self.whole_numbers = _in_whole_numbers(program, grid)
         self.bound = float(error_bound(program, largest, _roundings(program, grid)))
         self.kept: tuple[Any, Array] | None = None
         self.sufficed = False                          # whether the one bound was enough in the last block
-        self.whole = program.steps[-1].axes == full
+        self.whole = program.steps[-1].axes == grid.full
         self.shape = tuple(n if i in program.steps[-1].axes else 1 for i, n in enumerate(grid.merged))
 
     def _read(self, leaf: Expr, block: Slices) -> Array:
@@ -71,18 +67,11 @@ class ArraySigns:
 
         Of a function that varies along all axes nothing is known beforehand.
         """
-        arrays = _arrays(leaf, self.grid)
-        if (
-            not isinstance(leaf, Symbol)
-            and frozenset().union(*(self.grid.axes[s] for s in arrays)) == self.tiles.full
-        ):
-            return float("inf") if self.tiles.full else abs(_floats(leaf, arrays).item())
-        values = _floats(leaf, arrays)
-        return (
-            float(np.fmax(np.fmax.reduce(values, axis=None), -np.fmin.reduce(values, axis=None)))
-            if values.size
-            else 0.0
-        )
+        arrays, full = _arrays(leaf, self.grid), self.grid.full
+        along = frozenset().union(*(self.grid.axes[s] for s in arrays))
+        if full and along == full and not isinstance(leaf, Symbol):
+            return float("inf")
+        return largest_size(_floats(leaf, arrays))
 
     def __call__(self, block: Slices, out: Array | None = None) -> Array:
         """The signs in a block, of as many rows and columns as the expression varies along.
@@ -126,8 +115,7 @@ class ArraySigns:
         unsure = places(signs == 0)
         for start in range(0, len(unsure[0]), TOGETHER):
             rows, columns = (place[start:start + TOGETHER] for place in unsure)
-            here = {leaf: a[rows if a.shape[0] > 1 else 0, columns if a.shape[1] > 1 else 0].reshape(-1)
-                    for leaf, a in leaves.items()}
+            here = {leaf: gathered(a, rows, columns) for leaf, a in leaves.items()}
             found, bound = self._bounded(here, len(rows))
             left = np.flatnonzero(found == 0)
             if len(left) and self.whole_numbers:
@@ -146,7 +134,7 @@ class ArraySigns:
     def _bounded(self, leaves: dict[Any, Array], points: int) -> tuple[Array, Array]:
         """Signs that doubles prove with a bound for each point in a row, 0 elsewhere; and the bounds."""
         program = self.tiles.program
-        computed: list[Any] = program.run(leaves.__getitem__, lambda c: np.full(1, rounded(c)[0]), np)
+        computed: list[Any] = program.run(leaves.__getitem__, lambda c: np.full(1, rounded(c)[0]))
         bound = error_bound(program, {leaf: np.abs(x) for leaf, x in leaves.items()},
                             _roundings(program, self.grid), computed)
         signs = np.greater(computed[-1], bound).astype(np.int8) - np.less(computed[-1], -bound)
@@ -174,24 +162,25 @@ class ExactSign:
             values = dict(zip(self.symbols, map(_ball_of, numbers)))
             enclosure = self.program.run(lambda leaf: values[leaf] if leaf in values
                                          else ball(leaf, PRECISION, values),
-                                         lambda c: arb(fmpq(int(c.p), int(c.q))), _BALLS)[-1]
+                                         lambda c: arb(to_flint(c)))[-1]
         if enclosure > 0 or enclosure < 0:
             return 1 if enclosure > 0 else -1
         if self.polynomial is None or not all(isinstance(x, (float, Rational)) for x in numbers):
             found = sign(self.expression, dict(zip(self.symbols, map(dyadic_rational, numbers))))
             return UNKNOWN if found is None else found
-        given = dict(zip(self.symbols, map(_rational, numbers)))
+        given = dict(zip(self.symbols, map(to_flint, numbers)))
         value = self.polynomial[1](*(given[s] for s in self.polynomial[0]))
         return 1 if value > 0 else -1 if value < 0 else 0
 
 
+def may_vanish(signs: Array) -> Array:
+    """Where it is not proved that a sign is not 0."""
+    return (signs == 0) | (signs == UNKNOWN)
+
+
 def dyadic_rational(x: float | Expr) -> Expr:
     """The number that a double is."""
-    return Rational(*x.as_integer_ratio()) if isinstance(x, float) else x
-
-
-def _rational(x: float | Rational) -> fmpq:
-    return fmpq(*x.as_integer_ratio()) if isinstance(x, float) else fmpq(int(x.p), int(x.q))
+    return to_sympy(x) if isinstance(x, float) else x
 
 
 def _ball_of(x: float | Expr) -> arb:

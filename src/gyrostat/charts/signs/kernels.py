@@ -7,24 +7,22 @@ import shutil
 import sys
 import tempfile
 import time
-from collections.abc import Sequence
+from collections.abc import Iterable
 from functools import lru_cache
 from pathlib import Path
 from types import ModuleType
-from typing import Any, Literal
+from typing import Any
 
 import numpy as np
 
 from ...algebra.enclosures.floats import Array
 from ...errors import optional
 from ..grids import Slices
-from .straightline import Operation
+from .straightline import Step
 from .tiles import Tiles
 
-Finish = Literal["value", "positive", "nonnegative", "sign"]
+SIGN = "({0} > bound) - ({0} < -bound)"                    # what is written of a value {0}
 _SYMBOLS = {"add": "+", "subtract": "-", "multiply": "*"}
-_FINISH = {"value": "{0}", "positive": "{0} > 0", "nonnegative": "{0} >= 0",
-           "sign": "({0} > bound) - ({0} < -bound)"}
 
 
 class Kernel:
@@ -34,12 +32,12 @@ class Kernel:
     ----------
     tiles : Tiles
     finish : str
-        what is written: the value, whether it is positive or nonnegative, or its sign beyond a bound
+        what is written of the value {0}, such as "{0} > 0"
     spent : list
         the seconds of a compilation, or of reading it from disk, with the first block, are entered
     """
 
-    def __init__(self, tiles: Tiles, finish: Finish, spent: list[float]):
+    def __init__(self, tiles: Tiles, finish: str, spent: list[float]):
         self.tiles, self.finish, self.spent = tiles, finish, spent
         self.functions: dict[str, Any] = {}
 
@@ -65,20 +63,23 @@ class Kernel:
         names = {i: read[kind].format(i) for i, kind in zip(tiles.operands, kinds)}
         before = [f"        {kind if kind == 'r' else 'b'}{i} = a{i}[i]"
                   for i, kind in zip(tiles.operands, kinds) if kind in "rf"]
-        lines = []
-        for i, step in tiles.inner:
-            names[i] = f"x{i}"
-            lines.append(f"            x{i} = " + written(step.operation, [names[n] for n in step.arguments]))
-        final = _FINISH[self.finish].format(names[tiles.inner[-1][0]])
+        lines = [f"            {line}" for line in assignments(tiles.inner, names, "x")]
+        final = self.finish.format(names[tiles.inner[-1][0]])
         return "\n".join([f"def kernel({', '.join(f'a{i}' for i in tiles.operands)}, bound, out):",
                           "    for i in range(out.shape[0]):", "        row = out[i]", *before,
                           "        for j in range(out.shape[1]):", *lines, f"            row[j] = {final}",
                           ""])
 
 
-def written(operation: Operation, arguments: Sequence[str]) -> str:
-    """An operation of a program as it stands in a loop."""
-    return f"-{arguments[0]}" if operation == "negative" else f" {_SYMBOLS[operation]} ".join(arguments)
+def assignments(steps: Iterable[tuple[int, Step]], names: dict[int, str], letter: str) -> list[str]:
+    """Operations of a program as they stand in a loop; the names of their results are entered."""
+    lines = []
+    for i, step in steps:
+        arguments = [names[n] for n in step.arguments]
+        names[i] = f"{letter}{i}"
+        lines.append(f"{names[i]} = " + (f"-{arguments[0]}" if step.operation == "negative"
+                                         else f" {_SYMBOLS[step.operation]} ".join(arguments)))
+    return lines
 
 
 @lru_cache(maxsize=128)

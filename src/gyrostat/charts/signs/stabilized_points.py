@@ -1,10 +1,13 @@
 """Points that gyroscopic forces alone stabilise, decided together: D4 in arrays of balls."""
-from collections.abc import Callable, Mapping
+import operator
+from collections.abc import Callable, Mapping, Sequence
+from functools import partial, reduce
 from typing import Any
 
 import numpy as np
-from sympy import Add, Expr, Mul, Pow, Rational, Symbol
+from sympy import Expr, Rational, Symbol
 
+from ...algebra.enclosures.arithmetic import Arithmetic, in_arithmetic
 from ...algebra.enclosures.balls import ball
 from ...algebra.enclosures.floats import Array
 from ...algebra.rings.series import Series, composed
@@ -16,7 +19,7 @@ from ...stability.normal_forms.orbit_chart import energy_on_orbit
 from ...stability.normal_forms.windows import resonance_margin, resonances_up_to
 from ...stability.report.report import Report
 from ..grids import Grid
-from .ball_arrays import SUM, TINY, BallArray
+from .ball_arrays import BallArray, near
 
 Number = Callable[[Expr], BallArray]
 
@@ -109,8 +112,7 @@ def _twists(numbers: list[BallArray], U: Expr, names: dict[Symbol, BallArray],
 
 def leaf(grid: Grid, name: Symbol) -> BallArray:
     """The numbers of a name, doubles or near doubles."""
-    values = np.asarray(grid.values[name], float).ravel()
-    return BallArray(values, SUM * abs(values) + TINY if name in grid.exact else None)
+    return near(np.asarray(grid.values[name], float).ravel(), name not in grid.exact)
 
 
 def _cut(x: BallArray, at: Array, shape: tuple[int, ...]) -> BallArray:
@@ -122,20 +124,21 @@ def _cut(x: BallArray, at: Array, shape: tuple[int, ...]) -> BallArray:
 
 def _evaluated(expression: Expr, names: dict[Symbol, BallArray]) -> BallArray:
     """A fraction of polynomials in names, with constants of any kind."""
-    if isinstance(expression, Symbol):
-        return names[expression]
-    if not expression.free_symbols:
-        enclosed = ball(expression, 128)
-        near = float(enclosed.mid())
-        exact = isinstance(expression, Rational) and Rational(near) == expression
-        return BallArray(near, None if exact else np.asarray(abs(near) * SUM + TINY))
-    if isinstance(expression, Pow) and expression.exp.is_Integer:
-        base = _evaluated(expression.base, names)
-        return base**int(expression.exp) if expression.exp > 0 else 1 / base**-int(expression.exp)
-    if not isinstance(expression, Add | Mul):
+    def leaf(node: Expr) -> BallArray:
+        if isinstance(node, Symbol):
+            return names[node]
+        if node.free_symbols:
+            return NotImplemented
+        value = float(ball(node, 128).mid())
+        return near(value, node == Rational(value))
+
+    def power(base: BallArray, exponent: Rational) -> BallArray:
+        if not exponent.is_Integer:
+            raise NotImplementedError
+        return base**int(exponent) if exponent > 0 else 1 / base**-int(exponent)
+
+    def function(node: Expr, parts: Sequence[BallArray]) -> BallArray:
         raise NotImplementedError
-    found = _evaluated(expression.args[0], names)
-    for part in expression.args[1:]:
-        other = _evaluated(part, names)
-        found = found + other if isinstance(expression, Add) else found * other
-    return found
+
+    return in_arithmetic(expression, Arithmetic(leaf, partial(reduce, operator.add),
+                                                partial(reduce, operator.mul), power, function))

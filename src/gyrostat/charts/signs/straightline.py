@@ -2,11 +2,13 @@
 
 Additions and products in an order that leaves least to do for each point.
 """
+import operator
 from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from itertools import combinations
+from types import SimpleNamespace
 from typing import Any, Literal, TypeVar
 
 from sympy import Add, Expr, Integer, Mul, Pow, Rational, Symbol
@@ -17,6 +19,8 @@ from ...notation import symbol
 Axes = frozenset[int]
 Operation = Literal["leaf", "constant", "add", "subtract", "multiply", "negative"]
 Value = TypeVar("Value")
+OPERATORS = SimpleNamespace(add=operator.add, subtract=operator.sub, multiply=operator.mul,
+                            negative=operator.neg)
 
 
 @dataclass(frozen=True)
@@ -53,23 +57,16 @@ class Program:
         return (step.value for step in self.steps if step.operation == "leaf")
 
     def run(self, leaf: Callable[[Expr], Value], constant: Callable[[Rational], Value],
-            arithmetic: Any) -> list[Value]:
+            arithmetic: Any = OPERATORS) -> list[Value]:
         """The results of all steps, in any arithmetic that has add, subtract, multiply and negative.
 
-        The last is the program's.
+        Default are the operators of Python. The last is the program's.
 
         Examples
         --------
         >>> import gyrostat as gs
-        >>> import operator
         >>> from fractions import Fraction
-        >>> x = gs.symbol("x")
-        >>> multiply = {"add": operator.add, "subtract": operator.sub, "multiply": operator.mul,
-        ...             "negative": operator.neg}
-        >>> from types import SimpleNamespace
-        >>> fractions = SimpleNamespace(add=operator.add, subtract=operator.sub, multiply=operator.mul,
-        ...                             negative=operator.neg)
-        >>> program_of(x**3 - 2, {}).run(lambda _: Fraction(3, 2), int, fractions)[-1]
+        >>> program_of(gs.symbol("x")**3 - 2, {}).run(lambda _: Fraction(3, 2), int)[-1]
         Fraction(11, 8)
         """
         results: list[Value] = []
@@ -146,9 +143,8 @@ class _Writer:
         if isinstance(node, Pow) and isinstance(node.exp, Integer) and node.exp > 1:
             base, negative = self.write(node.base)
             return self.power(base, int(node.exp)), negative and bool(node.exp % 2)
-        return self.step("leaf", value=node,
-                         along=frozenset().union(*(self.axes.get(s, frozenset())
-                                                   for s in node.free_symbols))), False
+        along = frozenset().union(*(self.axes.get(s, frozenset()) for s in node.free_symbols))
+        return self.step("leaf", value=node, along=along), False
 
     def fold(self, terms: list[tuple[int, bool]], join: Callable[..., tuple[int, bool]]) -> tuple[int, bool]:
         """Two terms are joined at a time, those that vary along the fewest axes together first."""

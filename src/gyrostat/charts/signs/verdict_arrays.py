@@ -1,5 +1,6 @@
 """The exact verdict at every point of a grid."""
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -21,9 +22,8 @@ from .verdicts_in_blocks import Decided, demands_of
 
 @checked
 def verdicts(report: Report, values: Mapping[Any, Any] | None = None, /, *, damped: bool = False,
-             invalid: str = "raise", backend: str = "numpy",
-             threads: int = 1, out: Array | None = None, progress: Told | bool | None = None,
-             **arrays: Any) -> Array:
+             invalid: str = "raise", backend: str = "numpy", threads: int = 1, out: Array | None = None,
+             progress: Told | bool | None = None, **arrays: Any) -> Array:
     """The exact verdict at every point of a grid.
 
     What Report.verdict says of each point, near the speed of the margin in doubles: those decide where they
@@ -102,17 +102,15 @@ def decided(report: Report, values: Mapping[str, Any], damped: bool = False, inv
     merged = result.reshape(grid.merged)
     layer = None if rungs is None else rungs.reshape(grid.merged)
     demands = demands_of(report, grid, damped)
+    filler: Callable[[], Screen | Decided] = partial(Decided, report, grid, backend, damped, layer)
+    blocks = grid.blocks(NUMBA_BLOCK if backend == "numba" else NUMPY_BLOCK)
     if rungs is None and backend == "numba" and screened(grid, demands):
         screen = Screen(report, grid, demands)
-        with telling(progress, "verdicts") as told:
-            firsts = in_threads(lambda some: screen.fill(some, merged), screen.blocks(threads), threads, told)
-    else:
-        if invalid == "raise":
-            _refuse_strange(report, given, grid, damped)
-        blocks = grid.blocks(NUMBA_BLOCK if backend == "numba" else NUMPY_BLOCK)
-        with telling(progress, "verdicts") as told:
-            firsts = in_threads(lambda some: Decided(report, grid, backend, damped, layer).fill(some, merged),
-                                blocks, threads, told)
+        filler, blocks = lambda: screen, screen.blocks(threads)
+    elif invalid == "raise":
+        _refuse_strange(report, given, grid, damped)
+    with telling(progress, "verdicts") as told:
+        firsts = in_threads(lambda some: filler().fill(some, merged), blocks, threads, told)
     if invalid == "raise" and (bad := [first for first in firsts if first is not None]):
         _refuse_strange(report, given, grid, damped)
         place = min(bad)
@@ -141,6 +139,5 @@ def _refuse_strange(report: Report, given: Mapping[str, Any], grid: Grid, damped
 def grid_for(report: Report, given: Mapping[str, Any], finite: bool = True, damped: bool = False) -> Grid:
     """The grid of the names given, all that a verdict needs and no other."""
     required = (report.secular if damped else report).compared
-    check_family(report.equilibrium, given, required, report.parameters,
-                 "give a number or an array for each")
+    check_family(report.equilibrium, given, required, report.parameters, "give a number or an array for each")
     return grid_of(given, finite=finite)

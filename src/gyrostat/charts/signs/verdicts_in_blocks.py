@@ -20,7 +20,7 @@ from ...stability.theorems.two_directions import may_lie_on_curve, open_between
 from ..codes import CODE_OF, INVALID, RUNGS, STABLE, UNDECIDED, UNSTABLE
 from ..grids import Grid, Slices, cut, last, places
 from .grid_constants import with_constants
-from .grid_signs import TOGETHER, UNKNOWN, ArraySigns, dyadic_rational
+from .grid_signs import TOGETHER, UNKNOWN, ArraySigns, dyadic_rational, may_vanish
 from .stabilized_points import held
 from .three_valued import answered, every, some
 
@@ -64,8 +64,8 @@ class Decided:
 
     def _signs(self, expression: Expr) -> ArraySigns:
         if expression not in self.known:
-            self.known[expression] = ArraySigns(with_constants(expression, self.grid), self.grid,
-                                                self.backend, [])
+            margin = with_constants(expression, self.grid)
+            self.known[expression] = ArraySigns(margin, self.grid, self.backend)
         return self.known[expression]
 
     def fill(self, tiles: Iterable[Sequence[Slices]], result: Array) -> tuple[int, ...] | None:
@@ -93,8 +93,7 @@ class Decided:
 
     def _doubtful(self, block: Slices) -> Array:
         """Where it is not proved that the equilibrium exists."""
-        return reduce(np.logical_or, [signs(block) == UNKNOWN for signs in (*self.positive, *self.zero)],
-                      np.zeros((1, 1), bool))
+        return _some_of(signs(block) == UNKNOWN for signs in (*self.positive, *self.zero))
 
     def _decide(self, block: Slices, out: Array, nowhere: Array | None) -> None:
         """Write the verdicts in a block."""
@@ -132,8 +131,8 @@ class Decided:
         """Where a satellite may lie on a closed curve of equilibria."""
         if not may_lie_on_curve(eq := self.report.equilibrium):
             return np.zeros((1, 1), bool)
-        signs = self._signs(eq.insert(orientation_form(eq).stiffness.det(method="berkowitz")))(block)
-        return (signs == 0) | (signs == UNKNOWN)
+        determinant = orientation_form(eq).stiffness.det(method="berkowitz")
+        return may_vanish(self._signs(eq.insert(determinant))(block))
 
     def open(self, block: Slices) -> Array:
         """Where it is proved that the equilibrium exists and lies between the two criteria."""
@@ -171,16 +170,15 @@ class Decided:
         """Where the second variation may be degenerate, or the damping not reach every motion."""
         degenerate, *torques = self.report.secular.standard.exceptions
 
-        def may_vanish(factors: Sequence[Expr]) -> Array:
-            signs = [self._signs(e)(block) for e in factors]
-            return reduce(np.logical_or, [(s == 0) | (s == UNKNOWN) for s in signs], np.zeros((1, 1), bool))
+        def one_may_vanish(factors: Sequence[Expr]) -> Array:
+            return _some_of(may_vanish(self._signs(e)(block)) for e in factors)
 
         unreached = np.ones((1, 1), bool)
         for torque in torques:
             if not unreached.any():
                 break
-            unreached = unreached & may_vanish(torque)
-        return np.asarray(may_vanish(degenerate) | unreached)
+            unreached = unreached & one_may_vanish(torque)
+        return np.asarray(one_may_vanish(degenerate) | unreached)
 
     def _holds(self, criterion: Criterion, block: Slices) -> Array:
         """1 where the criterion holds, −1 where it does not, 0 where that is not proved."""
@@ -190,6 +188,11 @@ class Decided:
             return answered(known & holds, known & ~holds)
 
         return truth(criterion, compare, every, some)
+
+
+def _some_of(answers: Iterable[Array]) -> Array:
+    """Where one of them is true."""
+    return reduce(np.logical_or, answers, np.zeros((1, 1), bool))
 
 
 def _climbed(boundary: Boundary, grid: Grid, vanishing: Expr | None) -> Array:
@@ -203,10 +206,9 @@ def _climbed(boundary: Boundary, grid: Grid, vanishing: Expr | None) -> Array:
             return found
         if rung.condition.margin == vanishing:         # and 0 it is with even factors as well
             continue
-        signs = signs_in_row(rung.condition,
-                          grid.at((slice(0, 1), slice(0, len(found))), np.zeros_like(left), left))
-        unknown = (signs == UNKNOWN) | (signs == 0)
-        found[left] = np.where(unknown, UNDECIDED, np.where(rung.stable(signs), STABLE, UNSTABLE))
+        signs = signs_in_row(rung.condition, grid.at(grid.whole, np.zeros_like(left), left))
+        decided = np.where(rung.stable(signs), STABLE, UNSTABLE)
+        found[left] = np.where(may_vanish(signs), UNDECIDED, decided)
         left = left[signs == 0]
         if not len(left):
             return found
@@ -217,8 +219,7 @@ def _climbed(boundary: Boundary, grid: Grid, vanishing: Expr | None) -> Array:
 
 def signs_in_row(condition: Condition, grid: Grid) -> Array:
     """The sign of a condition at points in a row, 0 where an even factor vanishes."""
-    whole = (slice(0, 1), slice(0, grid.shape[0]))
-    signs, *factors = (np.broadcast_to(ArraySigns(e, grid, "numpy", [])(whole)[0], grid.shape)
+    signs, *factors = (np.broadcast_to(ArraySigns(e, grid)(grid.whole)[0], grid.shape)
                        for e in (condition.margin, *condition.degenerate))
     for factor in factors:
         signs = np.where(factor == 0, 0, np.where((factor == UNKNOWN) & (signs != 0), UNKNOWN, signs))
@@ -247,4 +248,3 @@ def _denominators(values: Sequence[Expr]) -> list[Expr]:
         if not bottom.is_constant():
             found.append(ring.expression(bottom))
     return list(dict.fromkeys(found))
-

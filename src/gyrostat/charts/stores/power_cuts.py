@@ -125,7 +125,7 @@ def describe(folder: Path, identity: Mapping[str, Any]) -> None:
 def attributes_of(path: Path) -> dict[str, Any]:
     """The attributes of the description of a store, whether it is whole or not.
 
-    None where it cannot be read.
+    There are none where it cannot be read.
     """
     try:
         return dict(json.loads((path / DESCRIPTION).read_bytes())["attributes"])

@@ -68,14 +68,13 @@ class Frame:
         request, eq = self.request, self.request.report.equilibrium
         scene = [eq.label, eq.system.hamiltonian, eq.system.space.tensor.tolist(), eq.point, eq.relations,
                  eq.domain, eq.eliminated]
+        values = {f"values of {name}": summed(array.astype("<f8").tobytes())
+                  for name, array in zip(request.names, self.arrays)}
+        values |= {f"value of {name}": str(number) for name, number, _ in request.fixed}
+        layers = {"damped": request.damped, "rung": request.windowed}
         return {"format": STORE_FORMAT, "equilibrium": summed(str(scene).encode()),
-                "axes": list(request.names),
-                **{f"values of {name}": summed(array.astype("<f8").tobytes())
-                   for name, array in zip(request.names, self.arrays)},
-                **{f"value of {name}": str(number) for name, number, _ in request.fixed},
-                "margins": request.margins, "block": list(self.block),
-                **({"damped": True} if request.damped else {}),
-                **({"rung": True} if request.windowed else {})}
+                "axes": list(request.names), **values, "margins": request.margins, "block": list(self.block),
+                **{name: True for name, wanted in layers.items() if wanted}}
 
     @property
     def counts(self) -> tuple[int, ...]:
@@ -123,8 +122,7 @@ class Frame:
         """Raise StoreError unless a store is one of this chart."""
         if other := [name for name in {**self.identity, **own} if own.get(name) != self.identity.get(name)]:
             raise StoreError(f"{self.path} is the store of another chart, they differ in "
-                             f"{', '.join(other)}: give another path, "
-                             "or remove it")
+                             f"{', '.join(other)}: give another path, or remove it")
 
     def _repair(self) -> None:
         """Make again from the call what is not computed block by block.
@@ -133,16 +131,15 @@ class Frame:
         """
         if '"format": 1,' in str(attributes_of(self.path).get("chart")):
             raise StoreError(f"{self.path} is a store of format 1, of a gyrostat that wrote no checksums, "
-                             "so that nothing tells whether "
-                             "its blocks are whole: xarray.open_zarr reads it as before; to convert it to "
-                             "this format, move it away and "
-                             "call again, which computes it anew")
+                             "so that nothing tells whether its blocks are whole: xarray.open_zarr reads it "
+                             "as before; to convert it to this format, move it away and call again, which "
+                             "computes it anew")
         with self._new() as new:
             marks = self._marks(new)
             if not vouched(self.path) and not any(marks.fits(n) for n in range(prod(marks.counts))):
                 raise StoreError(f"{self.path} exists and is no store of a chart, or one whose "
-                                 f"{DESCRIPTION} is damaged and of which no "
-                                 "block is one of this chart: give another path, or remove it")
+                                 f"{DESCRIPTION} is damaged and of which no block is one of this chart: give "
+                                 "another path, or remove it")
             for name, data in sorted(files(new).items(), key=lambda item: item[0] == DESCRIPTION):
                 if not (old := self.path / name).is_file() or old.read_bytes() != data:
                     replace(old, data)
@@ -168,13 +165,11 @@ class Frame:
                     attributes["coordinates"] = " ".join(name for name, _, _ in self.request.fixed)
                 verdict = name in ("verdict", "damped", "rung")
                 group.create_array(name, shape=tuple(map(len, self.arrays)), chunks=self.block,
-                                   compressors=checked,
-                                   dtype="int8" if verdict else "float64",
+                                   compressors=checked, dtype="int8" if verdict else "float64",
                                    fill_value=-128 if verdict else 0.0,
                                    dimension_names=self.request.names, attributes=attributes)
             group.create_array("complete", shape=(prod(self.counts),), chunks=(1,), dtype="uint64",
-                               fill_value=0, compressors=None,
-                               dimension_names=("block",),
+                               fill_value=0, compressors=None, dimension_names=("block",),
                                attributes={"long_name": "checksum of the chunks of a block, 0: not written"})
             describe(new, self.identity)
             for place in (new, *new.rglob("*")):

@@ -4,6 +4,7 @@ from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import Any, ClassVar
 
+from flint import arb
 from sympy import Expr, Function, Pow, Rational, Symbol, acos, acosh, asin, atanh, log
 from sympy.core.function import AppliedUndef
 
@@ -11,7 +12,6 @@ from ..._cached import cached_property
 from ..._display import Shown
 from ...algebra.rings.polynomials import Ring
 from ...algebra.rings.subexpressions import occurring
-from ...algebra.text import magnitudes
 from ...algebra.text.bounded_parts import BITS, enclosure, immoderate
 from ...arguments import checked
 from ...errors import PotentialError, ValuesError, brief
@@ -151,7 +151,7 @@ class Potential(Shown, Stored):
         """
         if not self._asks:
             return
-        known = {s: magnitudes.at_most_one() for s in self.variables}
+        known = {s: arb(0, 1) for s in self.variables}     # components of directions: from −1 to 1
         known |= {s: ball for s, x in numbers.items() if s not in known
                   and (ball := enclosure(x)) is not None}
         if (function := immoderate(self.expression, known)) is not None:

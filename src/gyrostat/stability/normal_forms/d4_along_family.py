@@ -8,6 +8,7 @@ from flint import fmpq_mpoly
 from sympy import Expr, Mul, Pow, Symbol
 
 from ..._display import Shown
+from ...algebra.enclosures.rationals import to_sympy
 from ...algebra.reals.exact import evaluate
 from ...algebra.rings.polynomials import Ring, by_degree, lcm
 from ...algebra.rings.rational_functions import RationalFunction
@@ -172,4 +173,4 @@ def _factored(ring: Ring, x: RationalFunction) -> Expr:
     """As a quotient of products."""
     (above, tops), (below, bottoms) = x.top.factor(), x.bottom.factor()
     powers = [(f, int(n)) for f, n in tops] + [(f, -int(n)) for f, n in bottoms]
-    return Mul(ring.constant(above / below), *(Pow(ring.expression(f), n) for f, n in powers))
+    return Mul(to_sympy(above / below), *(Pow(ring.expression(f), n) for f, n in powers))

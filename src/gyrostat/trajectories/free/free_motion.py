@@ -84,15 +84,13 @@ class FreeMotion:
             raise ValuesError(f"the state has {len(start)} components: give pi1, pi2, pi3")
         self.rotor: Triple = tuple(body.gyrostatic_momentum)
         M = tuple(exact_number(x, f"pi{i}") + y for i, (x, y) in enumerate(zip(start, self.rotor), 1))
-        self.path = path_of(tuple(body.moments), self.rotor, M)
+        moments = tuple(body.moments)
+        self.path = path = path_of(moments, self.rotor, M)
         self.size = math.hypot(*map(float, M)) + math.hypot(*map(float, self.rotor))
-        self.fastest = self.size / min(map(float, body.moments))
-        resting = isinstance(self.path, Steady) and self.path.about == 0
-        self.rotation: Steady | RepeatedTurn               # what knows the attitude
-        if isinstance(self.path, Polhode):
-            self.rotation = RepeatedTurn(tuple(body.moments), self.rotor, M, self.path)
-        else:
-            self.rotation = self.path
+        self.fastest = self.size / min(map(float, moments))
+        resting = isinstance(path, Steady) and path.about == 0
+        # what knows the attitude
+        self.rotation = RepeatedTurn(moments, self.rotor, M, path) if isinstance(path, Polhode) else path
         self.period = self.rotation.period                  # of M; None where it rests, and on a separatrix
         self.name = "equilibrium" if resting else "free gyrostat" if any(self.rotor) else "free body"
 

@@ -11,11 +11,13 @@ from ...algebra.enclosures.balls import ball
 from ...algebra.enclosures.double_double import Twofold
 from ...algebra.enclosures.floats import Array
 from ...algebra.enclosures.precision import own_precision
+from ...algebra.rings.matrices import cross
 from ...errors import AccuracyError
+from ...stability.criteria.amended_form import dot
 from ..periods import double, pair, reduced, turns
 from .polhodes import Meeting, Polhode
 from .taylor import Loop, Rates, loop
-from .uniform_motion import CONSTANT, ROUNDING, Triple, cross, cycles, dot, frame, turned
+from .uniform_motion import CONSTANT, ROUNDING, Triple, cycles, frame, turned
 
 # components of the vectors that are followed: M; M and the row x
 M_ONLY, ROWS = 3, 6
@@ -80,9 +82,8 @@ class RepeatedTurn:
         forth, back = self.loops(components)
         if back is None:
             n, r = reduced(t, self._cycle)
-            return forth.values(r, self._cycle.high), turns(
-                n - (r < 0), cycles(self.angle)
-            ) if components == ROWS else n
+            besides = turns(n - (r < 0), cycles(self.angle)) if components == ROWS else n
+            return forth.values(r, self._cycle.high), besides
         found, cycle = np.empty((len(t), components)), np.zeros(len(t))
         for where, side, rates in ((t >= 0, forth, self.rates(CONSTANT)),
                                    (t < 0, back, self.rates(CONSTANT).reversed())):

@@ -10,7 +10,8 @@ from flint import arb
 from ..._cached import cached_property
 from ...algebra.enclosures.floats import Array
 from ...errors import AccuracyError
-from .uniform_motion import CYCLIC, dot
+from ...stability.criteria.amended_form import dot
+from .uniform_motion import CYCLIC
 
 # of the polynomials in doubles: about e⁻⁴⁸ of the first term is left
 ORDER = 24

@@ -3,7 +3,7 @@
 Frames, and what decides.
 """
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -14,10 +14,12 @@ from ..._cached import cached_property
 from ...algebra.enclosures.balls import ball
 from ...algebra.enclosures.double_double import Twofold
 from ...algebra.enclosures.floats import Array
-from ...algebra.enclosures.precision import own_precision
+from ...algebra.enclosures.precision import doubled, own_precision
 from ...algebra.reals.exact import proved_sign
+from ...algebra.rings.matrices import cross
 from ...algebra.text.numbers import shown
 from ...errors import AccuracyError, ValuesError
+from ...stability.criteria.amended_form import dot
 from ..periods import double, pair, turns
 
 Triple = tuple[Expr, Expr, Expr]
@@ -44,25 +46,13 @@ def decided(constant: Expr, what: str) -> int:
 def accurate(compute: Callable[[int], list[arb]], bits: int) -> list[arb]:
     """Enclosures of at least so many correct bits each, by doubling the precision at which they are computed.
     """
-    precision = bits + 64
-    while precision <= MOST:
+    for precision in doubled(bits + 64, MOST):
         with own_precision(precision):
             found = compute(precision)
         if all(x == 0 or x.rel_accuracy_bits() >= bits for x in found):
             return found
-        precision *= 2
     raise AccuracyError(f"{MOST} bits do not give {bits} correct ones: the motion is too close to a "
                         "separatrix; give other numbers")
-
-
-def dot(v: Sequence[arb], w: Sequence[arb]) -> arb:
-    """v · w."""
-    return v[0] * w[0] + v[1] * w[1] + v[2] * w[2]
-
-
-def cross(v: Sequence[arb], w: Sequence[arb]) -> list[arb]:
-    """v × w."""
-    return [v[j] * w[k] - v[k] * w[j] for j, k in ((1, 2), (2, 0), (0, 1))]
 
 
 def cycles(rate: arb) -> Twofold:

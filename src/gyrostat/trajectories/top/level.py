@@ -13,6 +13,7 @@ from sympy import Expr, Poly, Rational, S, sqrt, trigsimp
 from ..._cached import cached_property
 from ...algebra.enclosures.algebraic import is_algebraic
 from ...algebra.enclosures.balls import ball
+from ...algebra.enclosures.rationals import to_flint, to_sympy
 from ...algebra.reals.exact import proved_sign
 from ...errors import ValuesError
 from ...mechanics.scenes.system import System
@@ -46,7 +47,7 @@ class Level(Stored):
         body = self.scene.body
         given = (body.moments[0], body.moments[2], body.gyrostatic_momentum[2], *self.state)
         rational = self.field is not None and all(isinstance(x, Rational) for x in (*given, *self.field))
-        return tuple(map(quotient, given)) if rational else given
+        return tuple(map(to_flint, given)) if rational else given
 
     @cached_property
     def field(self) -> tuple[Expr, ...] | None:
@@ -94,43 +95,18 @@ class Level(Stored):
         """v = M·k."""
         return self.twist + self.axial * self.height
 
-    @cached_property
-    def kinetic(self) -> Expr:
-        """abs(p)² as a function of k3."""
-        moved = self.potential.xreplace({K3: expression(self.height)}) - self.potential
-        return expression(self.across) + 2 * expression(self.inertia) * moved
-
-    @cached_property
-    def slope(self) -> Expr:
-        """g′ as a function of k3, by the rule of products: SymPy takes long over numbers of many digits."""
-        fall, turned = (
-            self._fall,
-            expression(self.twist) + expression(self.axial) * (expression(self.height) - K3),
-        )
-        return (
-            fall * (expression(self.square_radius) - K3**2)
-            - 2 * K3 * self.kinetic
-            + 2 * expression(self.axial) * turned
-        )
-
-    @cached_property
-    def curvature(self) -> Expr:
-        """g″ as a function of k3."""
-        fall = self._fall
-        return (fall.diff(K3) * (expression(self.square_radius) - K3**2) - 4 * K3 * fall - 2 * self.kinetic
-                - 2 * expression(self.axial) ** 2)
-
-    @property
-    def _fall(self) -> Expr:
-        """The derivative of abs(p)²."""
-        return -2 * expression(self.inertia) * self.potential.diff(K3)
+    def _kinetic(self, z: Expr) -> tuple[Expr, Expr]:
+        """abs(p)² and its derivative at a value of k3."""
+        U, I1 = self.potential, expression(self.inertia)
+        moved = U.xreplace({K3: expression(self.height)}) - U.xreplace({K3: z})
+        return expression(self.across) + 2 * I1 * moved, -2 * I1 * U.diff(K3).xreplace({K3: z})
 
     @cached_property
     def polynomial(self) -> list[Any] | None:
         """Coefficients of g, the constant first; None where U is no polynomial."""
         if self.field is None:
             return None
-        U = [quotient(c) if isinstance(self.height, fmpq) else c for c in self.field]
+        U = [to_flint(c) if isinstance(self.height, fmpq) else c for c in self.field]
         fall = [-2 * self.inertia * c for c in U]
         fall[0] = fall[0] + self.across - sum(c * self.height**n for n, c in enumerate(fall))
         turned = [self.level * self.level, -2 * self.level * self.axial, self.axial * self.axial]
@@ -158,8 +134,10 @@ class Level(Stored):
     @cached_property
     def turn(self) -> int:
         """Sign of k̈3 at the start where k̇3 is 0; 0 on a steady precession."""
-        if self.polynomial is None:
-            return known(self.slope.xreplace({K3: self.height}))
+        if self.polynomial is None:                        # g′ by the rule of products
+            _, fall = self._kinetic(self.height)
+            return known(fall * (self.square_radius - self.height**2) - 2 * self.height * self.across
+                         + 2 * self.axial * self.twist)
         return known(sum(n * c * self.height ** (n - 1) for n, c in enumerate(self.polynomial) if n))
 
     @cached_property
@@ -175,9 +153,11 @@ class Level(Stored):
         if sign:
             return 0
         pole = side * sqrt(expression(self.square_radius))
-        if known(self.kinetic.xreplace({K3: pole})):
+        kinetic, fall = self._kinetic(pole)
+        if known(kinetic):
             return 1
-        return 2 if known(self.curvature.xreplace({K3: pole})) else 3
+        curvature = -4 * pole * fall - 2 * kinetic - 2 * expression(self.axial) ** 2       # g″ at the pole
+        return 2 if known(curvature) else 3
 
     @cached_property
     def at_pole(self) -> int:
@@ -191,14 +171,9 @@ def coefficients(U: Expr) -> tuple[Expr, ...] | None:
     return tuple(reversed(Poly(U, K3).all_coeffs())) if U.is_polynomial(K3) else None
 
 
-def quotient(number: Rational) -> fmpq:
-    """A rational number, as fast as can be."""
-    return fmpq(int(number.p), int(number.q))
-
-
 def expression(number: Any) -> Expr:
     """A number of either kind as an expression."""
-    return Rational(int(number.p), int(number.q)) if isinstance(number, fmpq) else S(number)
+    return to_sympy(number) if isinstance(number, fmpq) else S(number)
 
 
 def enclosed(number: Any) -> arb:

@@ -27,16 +27,9 @@ class Profile:
 
     def __init__(self, level: Level):
         self._field = derivatives(level.potential)
-        self._inertia, self._height, self._axial = (
-            enclosed(level.inertia),
-            enclosed(level.height),
-            enclosed(level.axial),
-        )
-        self._across, self._twist, self._square = (
-            enclosed(level.across),
-            enclosed(level.twist),
-            enclosed(level.square_radius),
-        )
+        self._inertia, self._height, self._axial = map(enclosed, (level.inertia, level.height, level.axial))
+        self._across, self._twist = enclosed(level.across), enclosed(level.twist)
+        self._square = enclosed(level.square_radius)
         self._start = ball(level.potential.xreplace({K3: expression(level.height)}), ctx.prec)
         self.radius = self._square.sqrt()
 
@@ -51,22 +44,15 @@ class Profile:
             return self.kinetic(z) * (self._square - z * z) - w * w
         if order == 1:
             return self._fall(z, 1) * (self._square - z * z) - 2 * z * self.kinetic(z) + 2 * self._axial * w
-        return (
-            self._fall(z, 2) * (self._square - z * z)
-            - 4 * z * self._fall(z, 1)
-            - 2 * self.kinetic(z)
-            - 2 * self._axial * self._axial
-        )
+        return (self._fall(z, 2) * (self._square - z * z) - 4 * z * self._fall(z, 1) - 2 * self.kinetic(z)
+                - 2 * self._axial * self._axial)
 
     def divided(self, z: arb, side: int, order: int = 0) -> arb:
         """g/(r − side z) or its derivative, where the pole side · r is a root: w = P (side r − z)."""
+        square = self._axial * self._axial
         if order == 0:
-            return self.kinetic(z) * (self.radius + side * z) - self._axial * self._axial * (
-                self.radius - side * z
-            )
-        return self._fall(z, 1) * (self.radius + side * z) + side * (
-            self.kinetic(z) + self._axial * self._axial
-        )
+            return self.kinetic(z) * (self.radius + side * z) - square * (self.radius - side * z)
+        return self._fall(z, 1) * (self.radius + side * z) + side * (self.kinetic(z) + square)
 
     def _potential(self, z: arb, order: int) -> arb:
         return ball(self._field[order], ctx.prec, {K3: z})

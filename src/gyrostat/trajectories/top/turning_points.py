@@ -6,6 +6,7 @@ from typing import Any
 from flint import acb, arb, arb_poly, ctx, fmpq, fmpq_poly
 from sympy import sqrt
 
+from ...algebra.rings.enclosed_roots import divided_by_root
 from ...algebra.solving.root_numbers import refuse_close
 from ...errors import AccuracyError, ScopeError
 from .level import Level, enclosed
@@ -60,10 +61,8 @@ def roots_of(level: Level) -> Roots:
                          "nor exponential")
     others = [(x, k) for x, k in found if not (x.imag == 0
                                                and (x.real.overlaps(lower) or x.real.overlaps(upper)))]
-    leading = (
-        None if level.polynomial is None else enclosed(next(c for c in reversed(level.polynomial) if c != 0))
-    )
-    return Roots(lower, upper, (m == 2, n == 2), others, leading)
+    highest = next((c for c in reversed(level.polynomial or ()) if c != 0), None)
+    return Roots(lower, upper, (m == 2, n == 2), others, None if highest is None else enclosed(highest))
 
 
 def _ends(level: Level, found: Sequence[tuple[acb, int]]) -> list[tuple[arb, int]]:
@@ -91,19 +90,11 @@ def _of_polynomial(level: Level, g: Sequence[Any]) -> list[tuple[acb, int]]:
         return [(acb(x), m) for x, m in fmpq_poly(g).complex_roots()]
     left, poles = [enclosed(c) for c in g], []
     for side, m in zip((-1, 1), level.contact):
-        if m:
-            poles.append((acb(side * enclosed(level.square_radius).sqrt()), m))
+        pole = side * enclosed(level.square_radius).sqrt()
+        poles += [(acb(pole), m)] if m else []
         for _ in range(m):
-            left = _divided(left, side * enclosed(level.square_radius).sqrt())
+            left = divided_by_root(left, pole)
     return poles + [(x, 1) for x in _simple(arb_poly(left))]
-
-
-def _divided(coefficients: list[arb], root: arb) -> list[arb]:
-    """The quotient by x − root, by Horner's rule."""
-    quotient = [coefficients[-1]]
-    for c in coefficients[-2:0:-1]:
-        quotient.append(c + quotient[-1] * root)
-    return quotient[::-1]
 
 
 def _simple(polynomial: arb_poly) -> list[acb]:
@@ -153,18 +144,12 @@ def _first(level: Level, g: Profile, side: int, m: int) -> arb | None:
     cells = [(fmpq(0), fmpq(1))]
     while cells:
         low, high = cells.pop()
-        x, middle, end = (
-            start + way * arb(low).union(arb(high)),
-            start + way * (low + high) / 2,
-            start + way * high,
-        )
+        x = start + way * arb(low).union(arb(high))
+        middle, end = start + way * (low + high) / 2, start + way * high
         steep = side * slope(x)                            # > 0: g grows on the way
-        positive = value(middle) + side * steep * (x - middle) > 0 or (steep < 0 and value(end) > 0)
-        if (
-            positive
-            or (low == 0 and level.direction == 0 and steep > 0)
-            or (high == 1 and m == 2 and steep < 0)
-        ):
+        if value(middle) + side * steep * (x - middle) > 0 or (steep < 0 and value(end) > 0):
+            continue                                       # g is positive here
+        if low == 0 and level.direction == 0 and steep > 0 or high == 1 and m == 2 and steep < 0:
             continue
         if steep < 0 and value(end) < 0:
             for _ in range(2 * ctx.prec.bit_length()):
@@ -194,12 +179,8 @@ def _around(g: Profile, ends: Sequence[tuple[arb, int]]) -> list[acb]:
         others = sorted(others, key=lambda y: abs(y - x).mid())[m:]
     for x, m in ends:
         beyond = x - 2 * g(x, 1) / g(x, 2)  # of the parabola there
-        if (
-            m == 1
-            and CLOSE * abs(beyond - x) < width
-            and not any(abs(beyond - y) < abs(beyond - x) for y in others)
-        ):
-            others.append(acb(beyond))
+        if m == 1 and CLOSE * abs(beyond - x) < width:
+            others += [] if any(abs(beyond - y) < abs(beyond - x) for y in others) else [acb(beyond)]
         others = _closer(g, x, m, others, width)
     for x in _beside(others, lower, upper):
         others = _closer(g, x, 0, others, CLOSE * _to_an_end(x, lower, upper) / 8)
@@ -230,9 +211,8 @@ def _closer(g: Profile, x: arb, m: int, others: list[acb], width: arb) -> list[a
     while CLOSE * (least := min((abs(y - x).mid() for y in others), default=width)) < width:
         width = max(8 * least, width / CLOSE, key=arb.mid).mid()
         around = sorted(_interpolated(g, x - width, x + width), key=lambda y: abs(y - x).mid())[m:]
-        others = [y for y in others if abs(y - x).mid() > width / 2] + [
-            y for y in around if abs(y - x).mid() <= width / 2
-        ]
+        others = [y for y in others if abs(y - x).mid() > width / 2]
+        others += [y for y in around if abs(y - x).mid() <= width / 2]
     return others
 
 
