@@ -150,8 +150,9 @@ class Derived(Shown, Stored):
 
     @cached_property
     def determinant(self) -> tuple[Expr, tuple[str, ...]]:
-        """What vanishes where the second variation is degenerate, the determinant of the linearised field
-        without factors that are positive; and the names in it.
+        """The determinant of the linearised field without factors that are positive, and the names in it.
+
+        It vanishes where the second variation is degenerate.
         """
         determinant = self.equilibrium.insert(self.linearization.coefficients[-1])
         margin, even = Signs.over([determinant], self.equilibrium.existence()).normal_form(determinant)
