@@ -56,8 +56,24 @@ class SceneTable:
                                  "includes that of the rotors, lumped = false where it does not")
 
     def entry(self, name: str, value: Any) -> Any:
-        """What is kept of an entry of the file."""
-        return _read(name, value)
+        """What is kept of an entry of the file, its numbers as texts."""
+        if name not in KEYS:
+            near = get_close_matches(name, sorted(KEYS), 1)
+            raise PublishedError(f"a scene has no entry {name}: {f'did you mean {near[0]}? ' if near else ''}"
+                                 f"its entries are {', '.join(sorted(KEYS))}")
+        if name in _READ:
+            return _READ[name](value)
+        if name == "lumped":
+            if not isinstance(value, bool):
+                raise PublishedError(f"lumped = {brief(value)}: write true or false")
+            return value
+        if name == "inertia" and isinstance(value, list) and any(isinstance(row, list) for row in value):
+            return [_texts(name, row) for row in value]
+        if name in LISTS:
+            return _texts(name, value)
+        if not isinstance(value, str):
+            raise PublishedError(f"{name} = {brief(value)}: write a text, in quotation marks")
+        return value
 
     @cached_property
     def body(self) -> Gyrostat:
@@ -102,11 +118,9 @@ class SceneTable:
         if bare in (AXIAL, GENERAL):
             return axial_potential() if bare == AXIAL else general_potential()
         expression = parse(text)
-        return (
-            general_potential(expression)
-            if expression.free_symbols & {symbol("k1"), symbol("k2")}
-            else axial_potential(expression)
-        )
+        if expression.free_symbols & {symbol("k1"), symbol("k2")}:
+            return general_potential(expression)
+        return axial_potential(expression)
 
     @cached_property
     def family(self) -> Family | None:
@@ -131,28 +145,10 @@ def scene_tables(data: Mapping[str, Any], path: Path | Traversable) -> dict[str,
     return tables
 
 
-def _read(name: str, value: Any) -> Any:
-    """An entry, its numbers as texts."""
-    if name not in KEYS:
-        near = get_close_matches(name, sorted(KEYS), 1)
-        raise PublishedError(f"a scene has no entry {name}: {f'did you mean {near[0]}? ' if near else ''}its "
-                             f"entries are {', '.join(sorted(KEYS))}")
-    if name in _READ:
-        return _READ[name](value)
-    if name == "lumped":
-        if not isinstance(value, bool):
-            raise PublishedError(f"lumped = {brief(value)}: write true or false")
-        return value
-    if name == "inertia" and isinstance(value, list) and any(isinstance(row, list) for row in value):
-        return [_texts(name, row) for row in value]
-    if name in LISTS:
-        return _texts(name, value)
-    if name != "parameters":
-        if not isinstance(value, str):
-            raise PublishedError(f"{name} = {brief(value)}: write a text, in quotation marks")
-        return value
+def _parameters(value: Any) -> list[str]:
+    """Names in a list."""
     if not isinstance(value, list) or not all(isinstance(text, str) for text in value):
-        raise PublishedError(f"{name} = {brief(value)}: write a list of texts, in quotation marks")
+        raise PublishedError(f"parameters = {brief(value)}: write a list of texts, in quotation marks")
     for text in value:
         if not is_name(text):
             raise PublishedError(f"the parameter {brief(text)} is not a name: letters, digits and _ make one")
@@ -244,4 +240,4 @@ def _text(value: Any) -> str | None:
 
 
 _READ = {"values": _values, "rotors": _rotors, "orbit": _orbit, "pointing": _pointing,
-         "direction": _direction}
+         "direction": _direction, "parameters": _parameters}
