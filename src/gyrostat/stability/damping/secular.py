@@ -4,7 +4,7 @@ Fuel that sloshes, a nutation damper, joints that give: they take energy, keep t
 that turns like a rigid one alone. What is stable then is a minimum of the energy on the orbit.
 """
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from itertools import chain
 
@@ -12,7 +12,7 @@ from sympy import Add, Expr, S, Symbol
 
 from ..._cached import cached_property
 from ..._lazy import loaded
-from ...algebra.reals.exact import Point, evaluate, sign_of_constant
+from ...algebra.reals.exact import Point, evaluate, sign_changes, sign_of_constant
 from ...algebra.rings.matrices import characteristic, cross
 from ...algebra.rings.polynomials import lowest_terms
 from ...algebra.solving.margins import Signs
@@ -20,10 +20,9 @@ from ...mechanics.equilibrium.derivation_ring import signs_over
 from ...mechanics.equilibrium.derived_once import once
 from ...mechanics.equilibrium.equilibrium import Equilibrium
 from ...mechanics.equilibrium.standard_axes import seen, seen_at
-from ...notation import symbol
 from ..criteria.conditions import Condition, Criterion, independent
 from ..criteria.energy_casimir import SecondVariation, secular_variation
-from ..criteria.numbers_asked import names_in, names_needed, names_of_motion
+from ..criteria.numbers_asked import left_open, names_in, names_needed, names_of_motion
 from ..criteria.three_criteria import across, of_stiffness, positive, secular_criterion
 from ..criteria.truth import holds, sign_at
 from ..decision import Decision, Rung, settled, undecided
@@ -90,8 +89,7 @@ class Secular:
         singular = self._coefficients[-1] if self._coefficients else S.One
         values = (singular * self._rest if self.variation.modulo else singular, *self._torques)
         signs = signs_over(self.equilibrium, values)
-        found = [signs.split(*signs.ring.fraction(value)) for value in values]
-        groups = [[signs.ring.expression(x) for x in (margin, *even)] for margin, even in found]
+        groups = [(margin, *even) for margin, even in map(signs.normal_form, values)]
         degenerate, *torques = (tuple(e for e in group if e == 0 or e.free_symbols) for group in groups)
         return degenerate, *dict.fromkeys(torques)
 
@@ -114,8 +112,8 @@ class Secular:
             found, modulo = self._decided(numbers, margins), self.criterion.modulo
             return replace(found, modulo=modulo) if modulo else found
         standard = secular_of(known.equilibrium)
-        if missing := _missing(standard.compared, numbers):
-            return undecided(known.worded(f"give {missing} to decide"))
+        if missing := left_open(standard.compared, numbers):
+            return undecided(known.worded(f"give {', '.join(missing)} to decide"))
         found = standard._decided(numbers, margins)
         return replace(found, reason=known.worded(found.reason), modulo=known.modulo)
 
@@ -125,19 +123,19 @@ class Secular:
             return KEEPS
         if least is None:
             return undecided(NO_SIGN)
-        if missing := _missing(self._counted_by, numbers):
-            return undecided(f"give {missing} to decide")
+        if missing := left_open(self._counted_by, numbers):
+            return undecided(f"give {', '.join(missing)} to decide")
         negative = self._by_minors(numbers, margins)
         if negative is None:
             signs = [sign_of_constant(evaluate(c, numbers)) for c in self._coefficients]
             if None in signs:
                 return undecided(NO_SIGN)
-            negative = _changes(signs) if all(signs[-1:]) else None
+            negative = sign_changes(signs) if all(signs[-1:]) else None
         reached = not self._exceptional(numbers)
         if negative and reached:
             return lost(negative)
-        if missing := _missing(self.required, numbers):
-            return undecided(f"give {missing} to decide")
+        if missing := left_open(self.required, numbers):
+            return undecided(f"give {', '.join(missing)} to decide")
         if (found := loaded("stability.damping.growing_modes:growing_at")(self.equilibrium, numbers)).grows:
             return lost(found.modes)
         return undecided(OUT_OF_REACH) if negative else self._degenerate(numbers, reached)
@@ -154,7 +152,7 @@ class Secular:
         blocks = [(times, [sign_at(minor, numbers, known) for minor in block])
                   for block, times in self._minors.items()]
         if all(all(signs) for _, signs in blocks):
-            return sum(times * _changes(signs) for times, signs in blocks)
+            return sum(times * sign_changes(signs) for times, signs in blocks)
         return None
 
     @cached_property
@@ -227,20 +225,7 @@ class Secular:
                 else settled(False, f"{LOST}: {why}", Rung.LEADING_FORM, Notion.SECULAR))
 
 
-@once
-def secular_of(eq: Equilibrium) -> Secular:
-    """What internal damping makes of an equilibrium, derived once."""
-    return Secular(eq)
-
-
-def _missing(names: Sequence[str], numbers: Mapping[Symbol, Expr]) -> str:
-    return ", ".join(name for name in names if symbol(name) not in numbers)
-
-
-def _changes(signs: Sequence[int | None]) -> int:
-    """Changes of sign from 1 on: in the coefficients, the number of negative roots if all are real."""
-    left = [1, *filter(None, signs)]
-    return sum(a != b for a, b in zip(left, left[1:]))
+secular_of = once(Secular)                                 # derived once for each equilibrium
 
 
 def lost(growing: int | None) -> Decision:
