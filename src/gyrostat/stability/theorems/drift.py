@@ -22,7 +22,7 @@ from ...mechanics.equilibrium.equilibrium import Equilibrium
 from ...mechanics.equilibrium.reduction import reduce
 from ...notation import Stored, symbol
 from ..criteria.linearization import Linearization, linearize
-from ..criteria.numbers_asked import names_in
+from ..criteria.numbers_asked import left_open, names_in
 from ..decision import Decision, Rung, settled, undecided
 
 K3, OMEGA, DU, P = symbol("k3"), symbol("omega"), symbol("dU"), symbol("p_psi")
@@ -119,8 +119,8 @@ class Drift(Shown, Stored):
         """
         body = self.equilibrium.system.body
         wanted = names_in([self.defect, self._p, self.omega, *(self.rates if self.omega else ())])
-        if missing := ", ".join(name for name in wanted if symbol(name) not in numbers):
-            return undecided(f"give {missing} to decide")
+        if missing := left_open(wanted, numbers):
+            return undecided(f"give {', '.join(missing)} to decide")
         linear = self._linear(numbers, margins)
         turning = "relative equilibria near it turn about the axis of the body"
         if (moving := sign_of_constant(evaluate(self.omega, numbers))) == 0:
