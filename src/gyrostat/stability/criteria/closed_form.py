@@ -137,10 +137,7 @@ class ClosedForm:
         return [*flat, omega, mu]
 
 
-@once
-def closed_form(eq: Equilibrium) -> ClosedForm:
-    """What decides a family in k1, k2, k3, derived once."""
-    return ClosedForm(eq)
+closed_form = once(ClosedForm)                             # derived once for each family
 
 
 def _shaped(flat: Sequence[Any]) -> tuple[Any, ...]:

@@ -52,7 +52,7 @@ class Modes:
         """Of numbers in balls, with ω_j of the sign that makes the action −i N_j z_j w_j positive."""
         found = [(-value, conjugate(vector), -norm) if norm.imag < 0 else (value, vector, norm)
                  for value, vector, norm in zip(self.values, self.vectors, self.norms)]
-        return _pair(*found)
+        return Modes(*zip(*found))
 
 
 def linear_motion(quadratic: Part) -> Rows:
@@ -75,11 +75,7 @@ def modes(A: Rows, p: Any, values: tuple[Any, Any]) -> Modes:
     """
     square = multiplied(A, A)
     cube = multiplied(square, A)
-    return _pair(*(_mode(A, square, cube, p, value) for value in values))
-
-
-def _pair(first: Mode, second: Mode) -> Modes:
-    return Modes((first[0], second[0]), (first[1], second[1]), (first[2], second[2]))
+    return Modes(*zip(*(_mode(A, square, cube, p, value) for value in values)))
 
 
 def _mode(A: Rows, square: Rows, cube: Rows, p: Any, value: Any) -> Mode:
