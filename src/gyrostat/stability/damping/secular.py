@@ -6,25 +6,25 @@ that turns like a rigid one alone. What is stable then is a minimum of the energ
 from collections import Counter
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from functools import cache
 from itertools import chain
 
-from sympy import Add, Expr, S, Symbol
+from sympy import Add, Expr, Mul, S, Symbol
 
 from ..._cached import cached_property
 from ..._lazy import loaded
 from ...algebra.reals.exact import Point, evaluate, sign_changes, sign_of_constant
 from ...algebra.rings.matrices import characteristic, cross
 from ...algebra.rings.polynomials import lowest_terms
-from ...algebra.solving.margins import Signs
 from ...mechanics.equilibrium.derivation_ring import signs_over
 from ...mechanics.equilibrium.derived_once import once
 from ...mechanics.equilibrium.equilibrium import Equilibrium
 from ...mechanics.equilibrium.standard_axes import seen, seen_at
-from ..criteria.conditions import Condition, Criterion, independent
-from ..criteria.energy_casimir import SecondVariation, secular_variation
+from ..criteria.conditions import Criterion, independent
+from ..criteria.energy_casimir import SecondVariation, blocks, secular_variation
 from ..criteria.numbers_asked import left_open, names_in, names_needed, names_of_motion
-from ..criteria.three_criteria import across, of_stiffness, positive, secular_criterion
-from ..criteria.truth import holds, sign_at
+from ..criteria.three_criteria import across, secular_criterion, stiffness
+from ..criteria.truth import holds
 from ..decision import Decision, Rung, settled, undecided
 from ..notion import Notion
 
@@ -86,7 +86,7 @@ class Secular:
         degenerate, or the body is at rest and free to spin; where one of each of the others does, the damping
         does not reach every motion of k. In normal form, () for what vanishes nowhere.
         """
-        singular = self._coefficients[-1] if self._coefficients else S.One
+        singular = Mul(*(block[-1] ** times for block, times in self._coefficients.items()))
         values = (singular * self._rest if self.variation.modulo else singular, *self._torques)
         signs = signs_over(self.equilibrium, values)
         groups = [(margin, *even) for margin, even in map(signs.normal_form, values)]
@@ -125,12 +125,12 @@ class Secular:
             return undecided(NO_SIGN)
         if missing := left_open(self._counted_by, numbers):
             return undecided(f"give {', '.join(missing)} to decide")
-        negative = self._by_minors(numbers, margins)
-        if negative is None:
-            signs = [sign_of_constant(evaluate(c, numbers)) for c in self._coefficients]
-            if None in signs:
-                return undecided(NO_SIGN)
-            negative = sign_changes(signs) if all(signs[-1:]) else None
+        counted = [([sign_of_constant(evaluate(c, numbers)) for c in block], times)
+                   for block, times in self._coefficients.items()]
+        if any(None in signs for signs, _ in counted):
+            return undecided(NO_SIGN)
+        regular = all(signs[-1] for signs, _ in counted)
+        negative = sum(times * sign_changes(signs) for signs, times in counted) if regular else None
         reached = not self._exceptional(numbers)
         if negative and reached:
             return lost(negative)
@@ -143,44 +143,19 @@ class Secular:
     @cached_property
     def _counted_by(self) -> tuple[str, ...]:
         """Names in what counts the negative squares, and in what tells whether the damping reaches all."""
-        minors = [e for block in self._minors for c in block for e in (c.margin, *c.degenerate)]
-        return names_in([*minors, *self._coefficients, *chain(*self.exceptions)])
-
-    def _by_minors(self, numbers: Mapping[Symbol, Expr], margins: dict[Expr, Expr]) -> int | None:
-        """The negative squares of the second variation; None where a minor vanishes, or is not decided."""
-        known = dict(margins)
-        blocks = [(times, [sign_at(minor, numbers, known) for minor in block])
-                  for block, times in self._minors.items()]
-        if all(all(signs) for _, signs in blocks):
-            return sum(times * sign_changes(signs) for times, signs in blocks)
-        return None
+        return names_in(chain(*self._coefficients, *self.exceptions))
 
     @cached_property
-    def _minors(self) -> Counter[tuple[Condition, ...]]:
-        """The leading minors of each block, from the first that may be negative on, and how often it occurs;
-        where none vanishes, their changes of sign are the negative squares (Jacobi). Across k trace and
-        determinant, whose changes are too.
+    def _coefficients(self) -> Counter[tuple[Expr, ...]]:
+        """Of the characteristic polynomial of each block of the second variation, or of its part across k or
+        of K, for −λ, and how often it occurs.
         """
-        eq = self.equilibrium
-        found = [(n, minor) for _, n, minor in across(self.variation) or of_stiffness(self.variation)
-                 ] or self.variation.block_minors
-        minors = [(n, eq.insert(minor)) for n, minor in found]
-        signs = Signs.over([minor for _, minor in minors], (*eq.existence(), *map(eq.insert, positive(eq))))
-        blocks: list[list[Condition]] = []
-        for n, minor in minors:
-            margin, even = signs.normal_form(minor)
-            blocks += [[]] if n == 1 else []
-            if blocks[-1] or margin != 1 or even:
-                blocks[-1].append(Condition(margin, True, f"minor {n}", even, eq.at))
-        return Counter(map(tuple, blocks))
-
-    @cached_property
-    def _coefficients(self) -> tuple[Expr, ...]:
-        """Of the characteristic polynomial of the second variation, or of its part across k, for −λ."""
-        eq, matrix = self.equilibrium, self.variation.matrix
+        eq, K = self.equilibrium, stiffness(self.variation)
         if found := across(self.variation):
-            return tuple(eq.insert(x) for _, _, x in found)
-        return characteristic([[eq.insert(entry) for entry in row] for row in matrix.tolist()])
+            return Counter([tuple(eq.insert(x) for _, _, x in found)])
+        matrix = self.variation.matrix if K is None else K
+        rows = [[eq.insert(entry) for entry in row] for row in matrix.tolist()]
+        return Counter(characteristic([[rows[i][j] for j in block] for i in block]) for block in blocks(rows))
 
     @cached_property
     def _torques(self) -> tuple[Expr, ...]:
@@ -228,6 +203,7 @@ class Secular:
 secular_of = once(Secular)                                 # derived once for each equilibrium
 
 
+@cache
 def lost(growing: int | None) -> Decision:
     """The decision that damping destroys what is not least, with the number of modes that grow if counted."""
     how_many = "" if growing is None else f", {growing} growing mode{'' if growing == 1 else 's'}"
