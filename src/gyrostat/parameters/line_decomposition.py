@@ -35,7 +35,7 @@ def cut(report: Report, x: Symbol, numbers: Point, low: Expr | None, high: Expr 
     everywhere = not report.sufficient.alternatives or any(map(is_identically_zero, placed))
     if everywhere and report.between:                      # on the boundary whatever x is
         placed += [e.xreplace(numbers) for e in report.between.ladder()]
-    elif everywhere and _degenerate(report, numbers):
+    elif everywhere and is_identically_zero(report.determinant[0].xreplace(numbers)):
         raise ScopeError(f"the second variation is degenerate whatever {x} is: ask for verdicts at numbers")
     polynomials = [f for e in placed if x in e.free_symbols for f in _numerators(e, x)]
     ends = real_roots(Mul(*polynomials), x, low, high) or []
@@ -89,12 +89,6 @@ def _numerators(expression: Expr, x: Symbol) -> list[Expr]:
     ring = Ring([expression])
     parts = [ring.expression(ring.reduce(part)) for part in ring.fraction(expression)]
     return [part for part in parts if x in part.free_symbols]
-
-
-def _degenerate(report: Report, numbers: Point) -> bool:
-    """Whether the determinant of the linearised field vanishes for every value of the parameter."""
-    determinant = report.equilibrium.insert(report.linearization.coefficients[-1]).xreplace(numbers)
-    return bool(is_identically_zero(determinant))
 
 
 def stable_at(report: Report, x: Symbol, value: Expr, numbers: Point) -> bool | None:

@@ -9,7 +9,7 @@ from typing import Any
 from ..._cached import cached_property
 from ...algebra.text.grammar import parse
 from ...algebra.text.inputs import Written, is_name
-from ...algebra.text.quantities import in_si, not_mixed
+from ...algebra.text.quantities import not_mixed
 from ...errors import PublishedError, brief
 from ...notation import symbol
 from ..equilibrium.unit_vectors import STEREOGRAPHIC
@@ -86,18 +86,14 @@ class SceneTable:
                    *((name, x) for rotor in rotors for name, x in rotor.items()),
                    *((f"orbit {name}", x) for name, x in self.table.get("orbit", {}).items()),
                    *self.table.get("values", {}).items()])
-        tensor = [[in_si(x, "inertia")[0] for x in row] if isinstance(row, list) else in_si(row, "inertia")[0]
-                  for row in inertia]
         if not rotors:
-            return Gyrostat(tensor, [in_si(x, "gyrostatic_momentum")[0] for x in momentum])
-        return gyrostat_with_rotors(tensor, self.rotors, lumped=self.table["lumped"])
+            return Gyrostat(inertia, momentum)
+        return gyrostat_with_rotors(inertia, self.rotors, lumped=self.table["lumped"])
 
     @cached_property
     def rotors(self) -> tuple[Rotor, ...]:
         """Those that the table has."""
-        return tuple(
-            Rotor(rotor["axis"], **{name: in_si(x, name)[0] for name, x in rotor.items() if name != "axis"})
-            for rotor in self.table.get("rotors", []))
+        return tuple(Rotor(**rotor) for rotor in self.table.get("rotors", []))
 
     @cached_property
     def potential(self) -> Potential | CoupledPotential | None:
@@ -110,9 +106,8 @@ class SceneTable:
             if bare in (AXIAL, GENERAL):
                 raise PublishedError(f"potential = {bare} is unspecified, and in orbit the gravity gradient "
                                      "acts: leave it out, or write an expression in n1, n2, n3, r1, r2, r3")
-            orbit = {name: in_si(x, f"orbit {name}")[0] for name, x in self.table["orbit"].items()}
             other = 0 if bare == NONE else parse(text)
-            return circular_orbit(**orbit, potential=other, rotors=self.rotors)
+            return circular_orbit(**self.table["orbit"], potential=other, rotors=self.rotors)
         if bare == NONE:
             return None
         if bare in (AXIAL, GENERAL):

@@ -86,9 +86,7 @@ class Potential(Shown, Stored):
             raise PotentialError(f"U = {self.expression} is not a finite real number: check roots, "
                                  "logarithms and denominators")
         for power in occurring(self.expression, Pow):
-            if power.exp.is_negative and not (ring := Ring([power.base])).reduce(
-                ring.fraction(power.base)[0]
-            ):
+            if power.exp.is_negative and not Ring([power.base]).numerator(power.base):
                 raise PotentialError(f"U = {self.expression} divides by {power.base}, which is 0 "
                                      "identically: check the denominators")
 

@@ -112,10 +112,10 @@ def normalised(parts: Sequence[Part], found: Modes, kept: Collection[int] = ()) 
     divisors: dict[tuple[int, int], Any] = {}
     for order in range(3, degree):
         gone = {code: c for code, c in h[order].items()
-                if not (code in kept or _rate(code) == (0, 0) or is_zero(c))}
-        for rate in {_rate(code) for code in gone} - divisors.keys():
-            divisors[rate] = 1 / (found.values[0] * rate[0] + found.values[1] * rate[1])
-        W = {code: c * divisors[_rate(code)] for code, c in gone.items()}
+                if not (code in kept or rate(code) == (0, 0) or is_zero(c))}
+        for turns in {rate(code) for code in gone} - divisors.keys():
+            divisors[turns] = 1 / (found.values[0] * turns[0] + found.values[1] * turns[1])
+        W = {code: c * divisors[rate(code)] for code, c in gone.items()}
         # ad W once, twice, …, of h2 and of every other part
         chains = [(order, 1, {code: -c for code, c in gone.items()}),
                   *((n, 0, part) for n, part in enumerate(h) if n > 2)]
@@ -149,7 +149,7 @@ def twist(part: Part, found: Modes) -> Any:
     first, second = (found.values[1] / found.norms[0], -1 * found.values[0] / found.norms[1])
     total = 0
     for code, c in part.items():
-        if not any(_rate(code)):
+        if not any(rate(code)):
             total = c * first ** (code & 15) * second ** (code >> 8 & 15) + total
     return total
 
@@ -183,6 +183,6 @@ def not_zero(x: Any) -> bool:
     return not (x.contains(0) if isinstance(x, acb) else is_zero(x))
 
 
-def _rate(code: int) -> tuple[int, int]:
+def rate(code: int) -> tuple[int, int]:
     """How often λ1 and λ2 are in the rate of a monomial."""
     return (code & 15) - (code >> 4 & 15), (code >> 8 & 15) - (code >> 12)

@@ -26,6 +26,7 @@ from .birkhoff import (
     multiplied,
     normalised,
     not_zero,
+    rate,
     symplectic,
     twist,
 )
@@ -151,16 +152,12 @@ def _colliding(A: Rows, p: Any, value: Any, parts: list[Part]) -> Any:
     W: Part = {}
     term = cubic
     for _ in range(4):
-        term = {code: c / (value * _turns(code)) for code, c in term.items()}
+        term = {code: c / (value * sum(rate(code))) for code, c in term.items()}
         added(W, term)
         term = {code: -1 * c for code, c in _nilpotent(term).items()}
     found = substituted(parts[4], forms, {target}).get(target, 0)
     found = bracket(cubic, W, pairs, {target}).get(target, 0) * fmpq(1, 2) + found
     return real(found) * real(symplectic(conjugate(u), v)) * -1
-
-
-def _turns(code: int) -> int:
-    return (code & 15) + (code >> 8 & 15) - (code >> 4 & 15) - (code >> 12)
 
 
 def _nilpotent(part: Part) -> Part:

@@ -16,7 +16,7 @@ from ...mechanics.equilibrium.derivation_ring import rows_at_point
 from ...mechanics.equilibrium.equilibrium import Equilibrium
 from ...mechanics.equilibrium.standard_axes import placed
 from ...mechanics.scenes.system import names_of_scene
-from ..criteria.conditions import Condition, Criterion
+from ..criteria.conditions import Criterion
 from ..criteria.energy_casimir import restricted
 from ..criteria.linearization import Linearization
 from ..criteria.three_criteria import spectral_criterion
@@ -52,12 +52,9 @@ def integral_criterion(linearization: Linearization) -> Criterion:
         return Criterion(Notion.FORMAL, ())
     p, q, discriminant = (replace(c, strict=True) for c in spectral_criterion(linearization).alternatives[0])
     found = [_where_none(eq, F) for F in used]
-    return Criterion(Notion.FORMAL, tuple((p, q, _with_factors(discriminant, factors)) for factors in found
-                                     if factors is not None))
-
-
-def _with_factors(condition: Condition, factors: tuple[Expr, ...]) -> Condition:
-    return replace(condition, degenerate=(*condition.degenerate, *factors))
+    return Criterion(Notion.FORMAL, tuple(
+        (p, q, replace(discriminant, degenerate=(*discriminant.degenerate, *factors)))
+        for factors in found if factors is not None))
 
 
 def _where_none(eq: Equilibrium, F: Expr) -> tuple[Expr, ...] | None:
