@@ -187,9 +187,7 @@ class Amended:
 
     def _value(self, expression: Expr) -> Expr:
         """At the point and the numbers."""
-        eq = self.equilibrium
-        placed = expression.xreplace(dict(zip(eq.system.space.coordinates, eq.point)))
-        value = eq.insert(eq.at_point(placed))
+        value = self.equilibrium.insert(self.equilibrium.at_point(expression))
         return evaluate(value, self.numbers) if value.free_symbols <= self.numbers.keys() else value
 
     @cached_property
