@@ -135,7 +135,8 @@ def _window(s: Standing) -> Decision:
 
 def _without_torque(s: Standing) -> Decision:
     """As the free body."""
-    return s.after_integrals(s.torque_free.decide(lambda eq: kept(eq).decide(Point({}), {})))
+    decide = loaded(f"{THEOREMS}.no_torque:decide_without_torque")
+    return s.after_integrals(decide(s.eq, s.numbers, lambda eq: kept(eq).decide(Point({}), {})))
 
 
 def _leading(s: Standing) -> Decision:
@@ -164,8 +165,8 @@ RUNGS = (
     Step("integrals", "Holm, Marsden, Ratiu & Weinstein, Phys. Rep. 123 (1985) 1-116",
          lambda s: s.eq.system.given_integrals and s.by_integrals.stable, lambda s: s.own(s.by_integrals)),
     Step("normal forms", "Arnold, Sov. Math. Dokl. 2 (1961) 247-249", lambda s: not s.degenerate, _window),
-    Step("no torque", "derived: M·k, |M|² and |k|² are conserved", lambda s: s.torque_free,
-         _without_torque),
+    Step("no torque", "derived: M·k, |M|² and |k|² are conserved",
+         lambda s: loaded(f"{THEOREMS}.no_torque:without_torque")(s.eq, s.numbers), _without_torque),
     Step("leading form", "Lagrange, Dirichlet; Chetaev (1934)", lambda s: True, _leading),
 )
 

@@ -1,6 +1,5 @@
 """What stands on a rung of the ladder: an equilibrium at numbers; each answer is found when it is asked."""
 from dataclasses import dataclass, replace
-from typing import Any
 
 from sympy import Expr
 
@@ -64,11 +63,6 @@ class Standing:
     def by_integrals(self) -> Decision:
         """What integrals that are given decide."""
         return loaded(f"{THEOREMS}.given_integrals:decide_by_integrals")(self.eq, self.numbers)
-
-    @cached_property
-    def torque_free(self) -> Any:
-        """The equilibrium without its field, if that exerts no torque."""
-        return loaded(f"{THEOREMS}.no_torque:torque_free")(self.eq, self.numbers)
 
     def own(self, found: Decision) -> Decision:
         """In the axes of the scene, modulo what the criteria divide out."""
