@@ -186,3 +186,56 @@ def not_zero(x: Any) -> bool:
 def rate(code: int) -> tuple[int, int]:
     """How often λ1 and λ2 are in the rate of a monomial."""
     return (code & 15) - (code >> 4 & 15), (code >> 8 & 15) - (code >> 12)
+
+
+def colliding(A: Rows, p: Any, value: Any, parts: list[Part]) -> Any:
+    """The sign of ε𝒜 is that of this number; None where no eigenvector is proved not to be 0.
+
+    v = adj(λ − A)e and u = adj'(λ)e with (A − λ)u = v; {Y_i, Y_j} is −Ω⁻¹, Ω_ij = v_iᵀ 𝕁 v_j; h3 is removed
+    by W with (λΔ + N) W = h3, N nilpotent.
+    """
+    square = multiplied(A, A)
+    cube = multiplied(square, A)
+    rest = value * value + p
+    for column in range(4):
+        v = [cube[i][column] + square[i][column] * value + A[i][column] * rest for i in range(4)]
+        v[column] += value * rest
+        u = [square[i][column] + A[i][column] * value * 2 for i in range(4)]
+        u[column] += value * value * 3 + p
+        if not_zero(symplectic(conjugate(v), u)):
+            break
+    else:
+        return None
+    # in the order z, w, z', w' of v, v̄, u, ū
+    g, h = symplectic(v, conjugate(u)), symplectic(u, conjugate(v))
+    b = symplectic(u, conjugate(u))
+    pairs = [(0, 1, -b / (g * h)), (0, 3, 1 / g), (2, 1, 1 / h)]
+    forms = in_columns([v, conjugate(v), u, conjugate(u)])
+    target = 2 * (ONES[0] + ONES[1])
+    cubic = substituted(parts[3], forms)
+    W: Part = {}
+    term = cubic
+    for _ in range(4):
+        term = {code: c / (value * sum(rate(code))) for code, c in term.items()}
+        added(W, term)
+        term = {code: -1 * c for code, c in _nilpotent(term).items()}
+    found = substituted(parts[4], forms, {target}).get(target, 0)
+    found = bracket(cubic, W, pairs, {target}).get(target, 0) * fmpq(1, 2) + found
+    return real(found) * real(symplectic(conjugate(u), v)) * -1
+
+
+def _nilpotent(part: Part) -> Part:
+    """z' ∂/∂z + w' ∂/∂w."""
+    found: Part = {}
+    for code, c in part.items():
+        for n in (0, 1):
+            if times := code >> 4 * n & 15:
+                added(found, {code - ONES[n] + ONES[n + 2]: c * times})
+    return found
+
+
+def real(x: Any) -> Any:
+    """The real number that an element of the field, a complex ball or a number is."""
+    if isinstance(x, Element):
+        return x.rational()
+    return x.real if isinstance(x, acb) else x
