@@ -13,7 +13,7 @@ from sympy import Add, Expr, Mul, S, Symbol
 
 from ..._cached import cached_property
 from ..._lazy import loaded
-from ...algebra.reals.exact import Point, evaluate, sign_changes, sign_of_constant
+from ...algebra.reals.exact import Point, sign, sign_changes
 from ...algebra.rings.matrices import characteristic, cross
 from ...algebra.rings.polynomials import lowest_terms
 from ...mechanics.equilibrium.derivation_ring import signs_over
@@ -125,7 +125,7 @@ class Secular:
             return undecided(NO_SIGN)
         if missing := left_open(self._counted_by, numbers):
             return undecided(f"give {', '.join(missing)} to decide")
-        counted = [([sign_of_constant(evaluate(c, numbers)) for c in block], times)
+        counted = [([sign(c, numbers) for c in block], times)
                    for block, times in self._coefficients.items()]
         if any(None in signs for signs, _ in counted):
             return undecided(NO_SIGN)
@@ -182,9 +182,9 @@ class Secular:
         it is at rest and may turn along a symmetry, at a rate that is constant to first order.
         """
         _, *torques = self.exceptions
-        if all(any(sign_of_constant(evaluate(e, numbers)) == 0 for e in torque) for torque in torques):
+        if all(any(sign(e, numbers) == 0 for e in torque) for torque in torques):
             return True
-        return bool(self.variation.modulo) and sign_of_constant(evaluate(self._rest, numbers)) == 0
+        return bool(self.variation.modulo) and sign(self._rest, numbers) == 0
 
     @property
     def _rest(self) -> Expr:
