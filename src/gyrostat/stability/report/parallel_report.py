@@ -5,15 +5,13 @@ from sympy import Expr, ImmutableMatrix
 
 from ..._cached import cached_property
 from ...algebra.reals.exact import Point
-from ...algebra.solving.margins import Signs
 from ...mechanics.equilibrium.equilibrium import Equilibrium
 from ...mechanics.equilibrium.parallel_directions import parallel_directions
 from ...mechanics.equilibrium.relations import residual_of
 from ...mechanics.equilibrium.standard_axes import placed
 from ...mechanics.scenes.coupled import CoupledPotential
-from ..criteria.conditions import Criterion, condition_of, independent
+from ..criteria.conditions import Criterion, all_positive, independent
 from ..criteria.energy_casimir import SecondVariation
-from ..criteria.implication import Item, reduced
 from ..criteria.linearization import Linearization
 from ..criteria.orientation_form import stiffness_with
 from ..criteria.three_criteria import minors_of_stiffness
@@ -171,10 +169,7 @@ def least_across(eq: Equilibrium, beta: ImmutableMatrix, notion: Notion) -> Crit
     K = stiffness_with(eq, beta)
     a = eq.point[3:6] if any(eq.point[3:6]) else eq.point[6:]
     across = [i for i in range(3) if a[i] == 0]
-    minors = (minors_of_stiffness(K.extract(across, across)) if len(across) == 2
-              else [("t", 1, K.trace()), ("s", 2, K.adjugate().trace())])
-    signs = Signs.over([minor for *_, minor in minors], eq.domain)
-    items = [Item(*signs.margin(minor), True, name) for name, _, minor in minors]
-    left = reduced(items, signs)
-    return Criterion(notion, () if left is None else (tuple(condition_of(signs.ring, item, eq)
-                                                               for item in left),))
+    minors = [("t", K.trace()), ("s", K.adjugate().trace())]
+    if len(across) == 2:
+        minors = [(name, minor) for name, _, minor in minors_of_stiffness(K.extract(across, across))]
+    return all_positive(notion, minors, eq, eq.domain)
