@@ -100,11 +100,8 @@ def refuse_any_direction(eq: Equilibrium) -> None:
 def unknown(name: str, known: Sequence[str], where: str) -> str:
     """What to say of a name that is not a parameter."""
     other = {"pi3_0": "omega3_0", "omega3_0": "pi3_0"}
-    close = (
-        [other[name]]
-        if other.get(name) in known
-        else get_close_matches(name, [*known, *(other[n] for n in known if n in other)], 1)
-    )
+    close = [other[name]] if other.get(name) in known else get_close_matches(
+        name, [*known, *(other[n] for n in known if n in other)], 1)
     hint = f"did you mean {close[0]}? Its" if close else "its"
     by_rate = "omega3_0" in (name, *close) and "omega3_0" not in known
     spin = ' (with spin="omega3_0" in place of pi3_0)' if by_rate else ""

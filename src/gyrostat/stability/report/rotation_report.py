@@ -5,7 +5,7 @@ from dataclasses import replace
 from sympy import Expr
 
 from ..._cached import cached_property
-from ...algebra.reals.exact import Point, evaluate, sign_of_constant
+from ...algebra.reals.exact import Point, evaluate, sign_changes, sign_of_constant
 from ...errors import ScopeError
 from ...mechanics.equilibrium.standard_axes import placed
 from ..criteria.closed_form import ClosedForm, closed_form
@@ -128,11 +128,9 @@ class DampedRotation(Secular):
         trace, determinant = _signs([form.trace, form.determinant])
         if trace == determinant == 1:
             return KEEPS
-        reached = any(_signs([evaluate(x, numbers) for x in closed.momentum_across]))
-        if determinant == -1 and reached:
-            return lost(1)
-        if determinant == 1 and trace == -1 and reached:
-            return lost(2)
+        growing = determinant and sign_changes((trace, determinant))
+        if growing and any(_signs([evaluate(x, numbers) for x in closed.momentum_across])):
+            return lost(growing)
         return secular_of(placed(self.equilibrium, numbers)).decide(numbers, {})
 
 

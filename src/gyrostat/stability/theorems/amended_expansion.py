@@ -163,9 +163,8 @@ class Amended:
         is differentiated.
         """
         potential = self.equilibrium.system.potential
+        assert potential is not None
         found: dict[tuple[int, ...], Expr] = {}
-        if potential is None:
-            return found
         axes = (2,) if potential.axial else (0, 1, 2)
         derivatives: dict[tuple[int, ...], Expr] = {(0, 0, 0): potential.expression}
         for _ in range(degree):

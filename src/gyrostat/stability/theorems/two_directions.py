@@ -71,16 +71,15 @@ def on_curve(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> Decision | None
     """
     if not may_lie_on_curve(eq):
         return None
-    rate, moments, rotor, point = (
-        [evaluate(eq.insert(x), numbers) for x in given]
-        for given in ((orbital_rate(eq.system),), eq.system.body.moments, eq.system.body.gyrostatic_momentum,
-                      eq.point))
+    body = eq.system.body
+    (rate,), moments, rotor, point = ([evaluate(eq.insert(x), numbers) for x in given] for given in (
+        (orbital_rate(eq.system),), body.moments, body.gyrostatic_momentum, eq.point))
     axis = next((i for i in range(3) if rotor[i] != 0), 0)
     a, b = (moments[axis - i] - moments[axis] for i in (1, 2))
     n, r = (ImmutableMatrix(point[i:i + 3]) for i in (3, 6))
     above = ImmutableMatrix.diag(*(moment - moments[axis] for moment in moments))
     t = n.cross(r)
-    for wanted, x in ((1, a), (1, b), (0, (rotor[axis] / rate[0])**2 - 4 * a * b),
+    for wanted, x in ((1, a), (1, b), (0, (rotor[axis] / rate)**2 - 4 * a * b),
                       (0, t.dot(above * t) - 4 * r.dot(above * r))):
         if proved_sign(evaluate(x, {})) != wanted:
             return None
