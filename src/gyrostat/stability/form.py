@@ -201,7 +201,7 @@ class Form(Stored):
     @cached_property
     def _rates(self) -> tuple[tuple[Expr, ...], Expr | None]:
         """Of the roots λ² of the spectrum, without one that is 0."""
-        whole = 0 if self.singular else self.signs[-1]
+        whole = self.signs[-1]
         if self.rational:
             top, *spectrum = self.invariants(None).spectrum
             return exact_rates([x / top for x in spectrum], whole, self.spectral_signs)

@@ -22,8 +22,7 @@ from .heavy_data import Data, data_at, unreached
 LABEL = "permanent rotation"
 ACROSS = settled(False, "the rotation lies on a curve of rotations, and an eigenvalue has a positive "
                  "real part", Rung.SPECTRUM, Notion.SPECTRAL)
-ALONG = undecided("the rotation lies on a curve of rotations, along which the amended potential does not "
-                  "change")
+ALONG = undecided("the rotation lies on a curve of rotations, and its second variation is degenerate")
 
 
 @dataclass(frozen=True)
@@ -88,6 +87,11 @@ class HeavyForm(Form):
         return circle_in_words(self.circle) if any(self.circle) else "the whole sphere"
 
     @property
+    def singular(self) -> bool:
+        """Not on a circle: C1 changes along one of a single rate, and the form is definite there."""
+        return self.curve is not None
+
+    @property
     def rational(self) -> bool:
         """At rational k and omega."""
         return all(isinstance(x, Rational) for x in (*self.k, self.omega))
@@ -110,12 +114,14 @@ class HeavyForm(Form):
         return k, Data(rows[0], vectors[0], vectors[1], rows[1]), ball(self.omega, precision)
 
     def known(self) -> Decision | None:
-        """On a curve of rotations that is no circle."""
-        return None if self.curve is None else ACROSS if self.spectral_signs[0] == -1 else ALONG
+        """On a curve of rotations that is no circle, where the second variation is degenerate."""
+        if self.curve is None or self.signs[-1]:
+            return None
+        return ACROSS if self.spectral_signs[0] == -1 else ALONG
 
     def known_damped(self) -> Decision | None:
         """The same."""
-        return None if self.curve is None else ALONG
+        return None if self.curve is None or self.signs[-1] else ALONG
 
     def held(self) -> Decision | None:
         """By normal forms."""

@@ -125,7 +125,7 @@ class Secular:
             return KEEPS
         if least is None:
             return undecided(NO_SIGN)
-        if missing := _missing(self._counted_by, numbers):
+        if missing := _missing(self.counted_by, numbers):
             return undecided(f"give {missing} to decide")
         negative = self._by_minors(numbers, margins)
         if negative is None:
@@ -143,7 +143,7 @@ class Secular:
         return undecided(OUT_OF_REACH) if negative else self._degenerate(numbers, reached)
 
     @cached_property
-    def _counted_by(self) -> tuple[str, ...]:
+    def counted_by(self) -> tuple[str, ...]:
         """Names in what counts the negative squares, and in what tells whether the damping reaches all."""
         minors = [e for block in self._minors for c in block for e in (c.margin, *c.degenerate)]
         return names_in([*minors, *self._coefficients, *chain(*self.exceptions)])

@@ -15,6 +15,7 @@ from ..criteria.conditions import Criterion, condition_of, independent
 from ..criteria.energy_casimir import SecondVariation, blocks
 from ..criteria.implication import Item, reduced
 from ..criteria.linearization import Linearization
+from ..criteria.numbers_asked import names_needed
 from ..criteria.orientation_form import stiffness_with
 from ..criteria.truth import holds
 from ..damping.secular import Secular
@@ -118,6 +119,11 @@ class ParallelSecular(Secular):
     def variation(self) -> SecondVariation:
         """In the motions in which the directions stay parallel."""
         return self.along.variation
+
+    @cached_property
+    def compared(self) -> tuple[str, ...]:
+        """Names in both criteria, this and that of the motions in which the directions stay parallel."""
+        return names_needed(self.equilibrium, (self.criterion, self.along.criterion))
 
     @property
     def exceptions(self) -> tuple[tuple[Expr, ...], ...]:
