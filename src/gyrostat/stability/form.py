@@ -6,7 +6,7 @@ from sympy import Expr
 
 from .._cached import cached_property
 from ..algebra.enclosures.precision import doubled, own_precision
-from ..algebra.reals.exact import evaluate, proved_sign
+from ..algebra.reals.exact import evaluate, proved_sign, sign_changes
 from ..mechanics.equilibrium.claimed_point import equilibrium
 from ..mechanics.equilibrium.equilibrium import Equilibrium
 from ..mechanics.scenes.system import System
@@ -182,8 +182,7 @@ class Form(Stored):
         """The number of negative squares; None where the form is degenerate, or a sign is not proved."""
         if None in self.signs or not self.signs[-1]:
             return None
-        left = [s for s in (1, *self.signs) if s]
-        return sum(a != b for a, b in zip(left, left[1:]))
+        return sign_changes(self.signs)
 
     @property
     def frequencies(self) -> tuple[Expr, ...]:
