@@ -49,9 +49,7 @@ class Model:
         potential = scene.potential
         assert potential is not None
         if potential.given:
-            return potential.expression.subs({s: v
-                                              for s, v in self.values.items()
-                                              if s not in potential.variables})
+            return self.number(potential.expression)
         if not potential.axial:
             linear = sum((self.values.get(symbol(f"dU_{i}"), Integer(0)) * K[i - 1] for i in (1, 2, 3)),
                          Integer(0))
@@ -82,6 +80,10 @@ class Model:
     def place(self) -> dict[Any, Any]:
         """The coordinates at the point."""
         return dict(zip(self.coordinates, self.point))
+
+    def number(self, value: Any) -> Any:
+        """A value of the parameters, not of the coordinates."""
+        return value.subs({s: x for s, x in self.values.items() if s not in self.coordinates})
 
     def has_a_unit_k(self) -> bool:
         """Whether k is a unit vector at the point; on so(3)* there is none."""

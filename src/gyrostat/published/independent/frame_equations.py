@@ -47,10 +47,6 @@ class InFrame(Model):
             raise PublishedError(f"{self.label} is no equilibrium of the equations of motion at "
                                  f"{self.values}")
 
-    def number(self, value: Any) -> Any:
-        """A value of the parameters, not of the coordinates."""
-        return value.subs({s: x for s, x in self.values.items() if s not in self.coordinates})
-
     def has_a_unit_k(self) -> bool:
         """Whether the directions are as the scene has them: construction checks it."""
         return True
