@@ -12,7 +12,7 @@ from ..printing.formats.text import plain
 from ..printing.formats.unicode import unicode
 from ..stability.criteria.conditions import Criterion
 from .checks.findings import Finding, source_of
-from .statements import Counterexample
+from .statements import Counterexample, entry_of
 
 NOT_SHARP = "no point was found at which it fails, but it is not the whole condition:"
 SCENE = "the numbers of the scene"
@@ -34,7 +34,7 @@ def rows(finding: Finding) -> list[tuple[str, str, Any]]:
         return [("printed", "", printed), ("right", "", _shown(outcome.derived))]
     found = [("printed", "", printed)] if isinstance(printed, str) else []
     for (i, j), _ in outcome.difference:
-        entry = f"entry {i + 1}" + (f", {j + 1}" if outcome.derived.cols > 1 else "") + ": "
+        entry = entry_of((i, j), outcome.derived)
         if not isinstance(printed, str):
             found.append(("printed", entry, printed[i][j] if isinstance(printed[i], list) else printed[i]))
         found.append(("right", entry, _shown(outcome.derived[i, j])))
@@ -114,10 +114,9 @@ def _details(f: Finding, width: int) -> list[str]:
 
 def _differences(f: Finding) -> str:
     """printed − derived, where it fits a few lines; JSON has it whole."""
-    found = []
-    for entry, value in f.outcome.difference or () if not isinstance(f.outcome.derived, str) else ():
-        label = f"entry {', '.join(str(i + 1) for i in entry[:f.outcome.derived.cols])}: " if entry else ""
-        found.append(label + unicode(readable(value), place(f)))
+    outcome = f.outcome
+    found = [entry_of(entry, outcome.derived) + unicode(readable(value), place(f))
+             for entry, value in outcome.difference or () if not isinstance(outcome.derived, str)]
     return "; ".join(found) if sum(map(len, found)) < 400 else ""
 
 
