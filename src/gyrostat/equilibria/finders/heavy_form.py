@@ -19,7 +19,6 @@ from ...stability.form import PRECISION, Form, Invariants
 from ...stability.normal_forms.local_motion import LocalMotion
 from ...stability.normal_forms.windows import decide_window
 from ...stability.notion import Notion
-from ...stability.theorems.momentum_sphere import circle_in_words
 from .heavy_polynomials import DIRECTION
 
 LABEL = "permanent rotation"
@@ -89,15 +88,6 @@ class HeavyForm(Form):
     def rates(self) -> dict[str, Expr]:
         """About k."""
         return {"omega": self.omega}
-
-    @property
-    def locus(self) -> str:
-        """A curve, a circle or the sphere of equilibria."""
-        if self.curve is not None:
-            return f"a curve, {self.curve} = 0"
-        if self.circle is None:
-            return ""
-        return circle_in_words(self.circle) if any(self.circle) else "the whole sphere"
 
     @property
     def rational(self) -> bool:
