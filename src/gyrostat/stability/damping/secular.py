@@ -123,7 +123,7 @@ class Secular:
             return KEEPS
         if least is None:
             return undecided(NO_SIGN)
-        if missing := left_open(self._counted_by, numbers):
+        if missing := left_open(self.counted_by, numbers):
             return undecided(f"give {', '.join(missing)} to decide")
         counted = [([sign(c, numbers) for c in block], times)
                    for block, times in self._coefficients.items()]
@@ -141,7 +141,7 @@ class Secular:
         return undecided(OUT_OF_REACH) if negative else self._degenerate(numbers, reached)
 
     @cached_property
-    def _counted_by(self) -> tuple[str, ...]:
+    def counted_by(self) -> tuple[str, ...]:
         """Names in what counts the negative squares, and in what tells whether the damping reaches all."""
         return names_in(chain(*self._coefficients, *self.exceptions))
 

@@ -13,6 +13,7 @@ from ...mechanics.scenes.coupled import CoupledPotential
 from ..criteria.conditions import Criterion, all_positive, independent
 from ..criteria.energy_casimir import SecondVariation
 from ..criteria.linearization import Linearization
+from ..criteria.numbers_asked import names_needed
 from ..criteria.orientation_form import stiffness_with
 from ..criteria.three_criteria import minors_of_stiffness
 from ..criteria.truth import holds
@@ -113,6 +114,11 @@ class ParallelSecular(Secular):
     def variation(self) -> SecondVariation:
         """In the motions in which the directions stay parallel."""
         return self.along.variation
+
+    @cached_property
+    def compared(self) -> tuple[str, ...]:
+        """Names in both criteria, this and that of the motions in which the directions stay parallel."""
+        return names_needed(self.equilibrium, (self.criterion, self.along.criterion))
 
     @property
     def exceptions(self) -> tuple[tuple[Expr, ...], ...]:

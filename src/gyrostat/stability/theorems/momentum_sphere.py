@@ -155,10 +155,3 @@ def sphere_of(eq: Equilibrium) -> MomentumSphere | None:
     axes = [n for n, (pi, l) in enumerate(zip(eq.point, eq.system.body.gyrostatic_momentum)) if pi != 0
             or l != 0]
     return MomentumSphere(eq, axes[0]) if len(axes) == 1 else None
-
-
-def circle_in_words(axis: Sequence[Expr]) -> str:
-    """The circle of equilibria about an axis."""
-    if axis.count(S.Zero) == 2:
-        return f"the circle about axis {next(n for n, x in enumerate(axis, 1) if x != 0)}"
-    return f"the circle about the axis along ({', '.join(map(str, axis))})"
