@@ -4,6 +4,7 @@ from fractions import Fraction as F
 import numpy as np
 import pytest
 from stability.units import Units
+from sympy import Rational
 
 import gyrostat as gs
 
@@ -86,6 +87,17 @@ def satellites(u):
                 report.verdict({}), report.verdict({}, damped=True)])
 
 
+def rates(u):
+    """Frequencies and growth rates in lists of each kind, in units of time."""
+    unit = Rational(*u(1, "omega").as_integer_ratio())
+    top = gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
+    lists = ((heavy(u, (0, F(1, 2), 1)), {"omega": u(2, "omega")}), (top, u.values(**TOP, omega=2)),
+             (gs.assemble(body(u, (1, 2, F(5, 2)), (1, F(1, 2), F(1, 3)))), {"M": u(1, "M")}),
+             (satellite(u, (F(1, 10), F(1, 5), F(3, 10))), {}))
+    return [[f"{float((x / unit).evalf(20)):.9e}" for x in (*e.frequencies, e.growth_rate) if x is not None]
+            for scene, values in lists for e in gs.relative_equilibria(scene, values)]
+
+
 def precessions(u):
     """Of a satellite of revolution: in a well, unstable, a ball; itself, and under damping."""
     scene = gs.assemble(gs.symmetric_gyrostat(), gs.circular_orbit())
@@ -132,7 +144,7 @@ def test_arcs_are_the_same_in_other_units_of_time_and_torque(powers):
 
 @pytest.mark.parametrize("powers", OTHERS, ids=str)
 @pytest.mark.parametrize("question", [upright, lists_of_a_top, heavy_bodies, windows, free_bodies, satellites,
-                                      precessions, two_directions, motions])
+                                      rates, precessions, two_directions, motions])
 def test_units_change_nothing(question, powers):
     """The Moon in SI, a molecule in SI, and what is far beyond both: the answers are those near 1."""
     np.testing.assert_equal(question(Units(*powers)), question(Units()))

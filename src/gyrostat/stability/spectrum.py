@@ -1,15 +1,15 @@
 """The spectrum of a relative equilibrium: the roots λ² of a polynomial, of which all have to be negative."""
 from collections.abc import Callable, Sequence
 from contextlib import suppress
+from functools import reduce
 from typing import Any
 
-from flint import acb, acb_poly, arb
+from flint import acb, acb_poly, arb, ctx
 from sympy import Expr, Float, S, sqrt
 
 from ..algebra.enclosures.precision import doubled, own_precision
 
 DIGITS, BITS = 30, 256                                     # of a rate
-TIGHT = "1e-60"                                            # of λ², relative to the largest coefficient
 Signs = tuple[int | None, ...]
 
 
@@ -72,8 +72,8 @@ def squares(spectrum: Sequence[arb]) -> list[acb]:
         return [acb(-spectrum[1] / spectrum[0])]
     gap = conditions(spectrum)[-1]
     if not gap.contains(0):
-        size = max((abs(x / spectrum[0]) for x in spectrum[1:]), key=lambda x: float(x.mid()))
-        return list(acb_poly(list(reversed(spectrum))).roots(arb(TIGHT) * size))
+        size = reduce(arb.max, (abs(x / spectrum[0]).upper().root(n) for n, x in enumerate(spectrum[1:], 1)))
+        return list(acb_poly(list(reversed(spectrum))).roots(arb(2) ** (-3 * ctx.prec // 4) * size))
     if len(spectrum) == 3:
         d, p, _ = spectrum
         return [acb(-p / (2 * d))] * 2

@@ -100,6 +100,7 @@ def test_a_curve_of_rotations_is_named():
     found = directions(k1**2 + 2 * k2**2 + 3 * k3**2, (1, 2, 3), {"C1": 3})
     (r,) = [r for r in found if r.locus]
     assert abs(float(r.rates["omega"]) - 2**0.5) < 1e-12 and len(found) == 7
+    assert r.form.heading == f"permanent rotation, one of those on {r.locus}"
     J = sum(n * float(x)**2 for n, x in enumerate(r.directions[0], 1))
     assert abs(J - 3 / 2**0.5) < 1e-12 and r.locus.startswith("a curve, ") and r.locus.endswith(" = 0")
     other = dict(zip(DIRECTION, (0, sqrt(3 - 3 / sqrt(2)), sqrt(3 / sqrt(2) - 2))))

@@ -89,6 +89,11 @@ class HeavyForm(Form):
         return {"omega": self.omega}
 
     @property
+    def heading(self) -> str:
+        """A circle has one verdict, but for single points; of a curve it is that of one rotation."""
+        return super().heading if self.curve is None else f"{self.label}, one of those on {self.locus}"
+
+    @property
     def singular(self) -> bool:
         """Not on a circle: C1 changes along one of a single rate, and the form is definite there."""
         return self.curve is not None
