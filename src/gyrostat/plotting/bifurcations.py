@@ -7,16 +7,16 @@ from typing import Any
 
 import numpy as np
 
+from ..algebra.enclosures.floats import Array
 from ..algebra.text.numbers import exact_number
 from ..arguments import checked
 from ..equilibria.continuation.bifurcation_kinds import precessions_leave, tilt_leaves
-from ..equilibria.continuation.continuation import Continuation, continuation
-from ..equilibria.continuation.free_branches import RotationContinuation
-from ..equilibria.continuation.heavy_branches import HeavyContinuation
-from ..equilibria.continuation.meeting_values import BifurcationPoint
-from ..equilibria.continuation.piece_and_mark import INFINITE, Mark, Piece
+from ..equilibria.continuation.continuation import continuation
+from ..equilibria.continuation.heavy_changes import FREQUENCIES, SINGULAR
+from ..equilibria.continuation.piece_and_mark import INFINITE, Continuation, Mark, Piece
 from ..equilibria.finders.free import LENGTH
 from ..mechanics.families.named_families import E1, E2, E3
+from ..mechanics.scenes.kind import Kind
 from ..mechanics.scenes.system import System
 from ..notation import symbol
 from ..printing.letters import letters_of
@@ -24,11 +24,13 @@ from ..stability.decision import Verdict
 from .headings import heading, of_scene, of_sphere
 from .looks import DARK, axes_of, axis, label, legend, line, marker, named, with_dimension
 
-CHANGES = {"fold on a level": "o", precessions_leave(E1): "s", precessions_leave(E2): "p"}
+CHANGES = {"fold on a level": "o", precessions_leave(E1): "s", precessions_leave(E2): "p",
+           SINGULAR: "o", FREQUENCIES: "s"}
 MEETINGS = {tilt_leaves(E1): "^", tilt_leaves(E2): "v", "fold at fixed rate": "D",
             "pitchfork at fixed rate": "P", "crossing at fixed rate": "X", INFINITE: "x"}
 ROTATIONS = {"fold": "D", "pitchfork": "P", "umbilic": "X", "crossing": "x", "circle leaves an axis": "o",
              "circle at this value alone": "s", "sphere at this value alone": "*"}
+SHAPES = {**MEETINGS, **ROTATIONS, **CHANGES}
 MOMENTUM, RATE = (1, 1, 0), (0, 1, 0)                      # dimensions
 CLEARANCE = 0.11                                           # of the names, in k3
 
@@ -45,7 +47,8 @@ def draw_bifurcation_diagram(scene: System, name: str, ends: tuple[Any, Any], va
     without one, at this rotor and rate: branches of E3 fold, or come to E1 or E2. An E3 without others beside
     it is a circle as in the other pictures.
 
-    Of any other body in a field the permanent rotations at omega, k3 of them.
+    Of any other body in a field the permanent rotations at omega, k3 of them: a full mark is a form that is
+    singular, or two frequencies that meet.
 
     Of a free gyrostat the permanent rotations on a momentum sphere: against a component of the rotor M along
     its axis, against anything else ν, ω = ν M. A mark stands where rotations meet; lines that cross without
@@ -91,21 +94,13 @@ def draw_bifurcation_diagram(scene: System, name: str, ends: tuple[Any, Any], va
     """
     found = continuation(scene, name, ends, values)
     ax = axes_of(ax)
-    if isinstance(found, RotationContinuation):
+    if scene.kind in (Kind.FREE, Kind.FIELD):
         return _draw_rotations(found, scene, name, values, ax, kwargs)
-    if isinstance(found, HeavyContinuation):
-        return _draw_heavy(found, scene, name, values, ax, kwargs)
     for piece in found.pieces:
         alone = len(piece.parameter) == 1
         ax.plot(piece.parameter, piece.k3, **{**(marker if alone else line)(piece.verdict), "clip_on": False,
                                               **({} if alone else kwargs)})
-    handles = _verdicts(found, kwargs)
-    for kind, shape in {**MEETINGS, **CHANGES}.items():
-        if marks := [mark for mark in found.marks if mark.kind == kind]:
-            style = _style(marks[0], shape)
-            ax.plot([float(mark.value) for mark in marks], [float(mark.k3) for mark in marks], zorder=4,
-                    clip_on=False, **style)
-            handles.append(named(style, f"changes: {kind}" if kind in CHANGES else kind))
+    handles = [*_verdicts(found, kwargs), *_marks_of(found, ax, lambda mark: mark.k3)]
     low, high = (float(exact_number(end, name)) for end in ends)
     ax.set(xlim=(low, high), ylim=(-1.1, 1.1))
     for text, height in _names(found, high):
@@ -113,8 +108,8 @@ def draw_bifurcation_diagram(scene: System, name: str, ends: tuple[Any, Any], va
                     textcoords="offset points", va="center")
     for piece in _unnamed(found, high):
         n = int(np.argmin(np.abs(piece.parameter - piece.parameter.mean())))
-        above = piece.k3[n] < 0                            # away from E1 and E2
-        ax.annotate(piece.label, (piece.parameter[n], piece.k3[n]), xytext=(5, 5 if above else -5),
+        above = _k3(piece)[n] < 0                          # away from E1 and E2
+        ax.annotate(piece.label, (piece.parameter[n], _k3(piece)[n]), xytext=(5, 5 if above else -5),
                     textcoords="offset points",
                     va="bottom" if above else "top")
     ax.set_xlabel(axis(name))
@@ -123,72 +118,48 @@ def draw_bifurcation_diagram(scene: System, name: str, ends: tuple[Any, Any], va
     return ax
 
 
-def _draw_rotations(found: RotationContinuation, scene: System, name: str,
-                    values: Mapping[str, Any], ax: Any, kwargs: Mapping[str, Any]) -> Any:
-    """Of a free gyrostat."""
-    rotor = scene.body.gyrostatic_momentum
+def _draw_rotations(found: Continuation, scene: System, name: str, values: Mapping[str, Any], ax: Any,
+                    kwargs: Mapping[str, Any]) -> Any:
+    """k3 of those in a field; of a free gyrostat M along the axis of the name, or ν."""
+    free, letters, rotor = scene.kind is Kind.FREE, letters_of(scene), scene.body.gyrostatic_momentum
     entry = rotor.index(symbol(name)) if symbol(name) in rotor else None
+
+    def height(of: Piece | Mark) -> Any:
+        if not free:
+            return of.k3
+        return of.nu if entry is None else np.array(of.momentum).T[entry]
+
     for piece in found.pieces:
-        height = piece.nu if entry is None else piece.momentum[:, entry]
-        ax.plot(piece.parameter, height, **{**line(piece.verdict), "clip_on": False, **kwargs})
-    handles = [*_lines_of(found, kwargs), *_meetings_of(found, ax, lambda mark: _height(mark, entry))]
+        ax.plot(piece.parameter, height(piece), **{**line(piece.verdict), "clip_on": False, **kwargs})
+    verdicts = {piece.verdict for piece in found.pieces}
+    handles = [named({**line(verdict), **kwargs}, verdict.name.lower()) for verdict in Verdict
+               if verdict in verdicts]
+    handles += _marks_of(found, ax, height)
     ends = [float(end) for piece in found.pieces for end in piece.parameter[[0, -1]]]
     ax.set(xlim=(min(ends), max(ends)))
-    ax.set_xlabel(with_dimension("$|M|$", MOMENTUM) if name == LENGTH.name else axis(name))
-    letters = letters_of(scene)
-    ax.set_ylabel(axis(letters.of("nu"), RATE) if entry is None
-                  else axis(letters.of(f"M{entry + 1}"), MOMENTUM))
-    said = of_scene(scene, values) if name == LENGTH.name else of_sphere(scene, values, values[LENGTH.name])
+    ax.set_xlabel(axis(name) if name != LENGTH.name or not free else with_dimension("$|M|$", MOMENTUM))
+    said = of_scene(scene, values)
+    if free:
+        ax.set_ylabel(axis(letters.of("nu"), RATE) if entry is None
+                      else axis(letters.of(f"M{entry + 1}"), MOMENTUM))
+        said = said if name == LENGTH.name else of_sphere(scene, values, values[LENGTH.name])
+    else:
+        ax.set(ylim=(-1.1, 1.1), ylabel=label("k3"))
     legend(ax, handles, 3, heading(ax, *said))
     return ax
 
 
-def _draw_heavy(found: HeavyContinuation, scene: System, name: str, values: Mapping[str, Any], ax: Any,
-                kwargs: Mapping[str, Any]) -> Any:
-    """Of a body in a field that is not of revolution."""
-    for piece in found.pieces:
-        ax.plot(piece.parameter, piece.k[:, 2], **{**line(piece.verdict), "clip_on": False, **kwargs})
-    handles = [*_lines_of(found, kwargs), *_meetings_of(found, ax, _k3)]
-    ends = [float(end) for piece in found.pieces for end in piece.parameter[[0, -1]]]
-    ax.set(xlim=(min(ends), max(ends)), ylim=(-1.1, 1.1), xlabel=axis(name), ylabel=label("k3"))
-    legend(ax, handles, 3, heading(ax, *of_scene(scene, values)))
-    return ax
-
-
-def _k3(mark: BifurcationPoint) -> float:
-    assert mark.k3 is not None
-    return float(mark.k3)
-
-
-def _lines_of(found: RotationContinuation | HeavyContinuation, kwargs: Mapping[str, Any]) -> list[Any]:
-    """What stands in the legend for the verdicts."""
-    return [named({**line(verdict), **kwargs}, verdict.name.lower()) for verdict in Verdict
-            if verdict in {piece.verdict for piece in found.pieces}]
-
-
-def _meetings_of(found: RotationContinuation | HeavyContinuation, ax: Any,
-                 height: Callable[[BifurcationPoint], float]) -> list[Any]:
-    """The marks, and what stands in the legend for them."""
+def _marks_of(found: Continuation, ax: Any, height: Callable[[Mark], Any]) -> list[Any]:
+    """The marks, and what stands in the legend for them; full where stability changes, else open."""
     handles = []
-    for kind, shape in ROTATIONS.items():
+    for kind, shape in SHAPES.items():
         if marks := [mark for mark in found.marks if mark.kind == kind]:
             style = {"color": DARK, "marker": shape, "markersize": 6, "linestyle": "none",
-                     "markerfacecolor": "white"}
-            ax.plot([float(mark.value) for mark in marks], [height(mark) for mark in marks], zorder=4,
+                     "markerfacecolor": DARK if kind in CHANGES else "white"}
+            ax.plot([float(mark.value) for mark in marks], [float(height(mark)) for mark in marks], zorder=4,
                     clip_on=False, **style)
-            handles.append(named(style, kind))
+            handles.append(named(style, f"changes: {kind}" if kind in CHANGES else kind))
     return handles
-
-
-def _height(mark: BifurcationPoint, entry: int | None) -> float:
-    assert mark.nu is not None and mark.momentum is not None
-    return float(mark.nu if entry is None else mark.momentum[entry])
-
-
-def _style(mark: Mark, shape: str) -> dict[str, Any]:
-    """Full where stability changes, open where branches meet or end without a change."""
-    face = DARK if mark.kind in CHANGES else "white"
-    return {"color": DARK, "marker": shape, "markersize": 6, "linestyle": "none", "markerfacecolor": face}
 
 
 def _verdicts(found: Continuation, kwargs: Mapping[str, Any]) -> list[Any]:
@@ -205,9 +176,14 @@ def _verdicts(found: Continuation, kwargs: Mapping[str, Any]) -> list[Any]:
     return handles
 
 
+def _k3(piece: Piece) -> Array:
+    assert piece.k3 is not None
+    return piece.k3
+
+
 def _names(found: Continuation, high: float) -> list[tuple[str, float]]:
     """The branches that come to the right side, and the heights of their names, none over another."""
-    ends = [(piece.label, float(piece.k3[-1])) for piece in found.pieces if len(piece.k3) > 1
+    ends = [(piece.label, float(_k3(piece)[-1])) for piece in found.pieces if len(_k3(piece)) > 1
             and piece.parameter[-1] == high]
     names: list[tuple[str, float]] = []
     for name, height in sorted(ends):                      # E1 and E2 first
@@ -221,4 +197,4 @@ def _unnamed(found: Continuation, high: float) -> list[Piece]:
     tilted = [piece for piece in found.pieces if piece.label == E3.label]
     if not tilted or any(name == E3.label for name, _ in _names(found, high)):
         return []
-    return [max(tilted, key=lambda piece: float(np.ptp(piece.parameter) + np.ptp(piece.k3)))]
+    return [max(tilted, key=lambda piece: float(np.ptp(piece.parameter) + np.ptp(_k3(piece))))]

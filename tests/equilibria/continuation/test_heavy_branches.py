@@ -97,3 +97,18 @@ def test_what_is_refused():
         gs.continuation(PLANE, "l3", (0, 1), {})
     with pytest.raises(ValuesError, match="l3 is free, and has the value 1 too"):
         gs.continuation(PLANE, "l3", (0, 1), {"omega": 1, "l3": 1})
+
+
+def test_two_changes_closer_than_nodes():
+    """Gyroscopic forces hold one rotation over 0.0064 of m: at one end frequencies meet, at the other det = 0."""
+    scene = gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 0)), gs.general_potential(k1 / 2 + gs.symbol("m") * k3))
+    found = gs.continuation(scene, "m", (1, 3), {"omega": 1})
+    assert [(mark.kind, mark.changes) for mark in found.marks] == [("frequencies meet", True),
+                                                                   ("singular form", True)]
+    low, high = (mark.value for mark in found.marks)
+    assert (82944 * high**10 - 1029888 * high**8 + 5104512 * high**6 - 13019424 * high**4 + 13397764 * high**2
+            - 2460375).equals(0) and 0 < float(high - low) < 0.0064
+    for m in ("1.33", "1.338", "1.35"):
+        listed = gs.relative_equilibria(scene, {"omega": 1, "m": m})
+        followed = [p for p in found.pieces if p.parameter[0] < float(m) < p.parameter[-1]]
+        assert sorted(p.verdict.name for p in followed) == sorted(e.decision.verdict.name for e in listed)
