@@ -1,11 +1,11 @@
 """The permanent rotations of a free gyrostat over a range of a name."""
 from collections.abc import Iterator, Mapping
-from functools import cached_property
 from typing import Any
 
 from flint import arb
 from sympy import Expr, Rational
 
+from ..._cached import cached_property
 from ...algebra.enclosures.balls import ball
 from ...algebra.enclosures.floats import Array
 from ...algebra.reals.exact import Point, evaluate, proved_sign

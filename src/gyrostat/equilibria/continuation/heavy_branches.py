@@ -1,12 +1,12 @@
 """The permanent rotations of a body in a field at a rate, over a range of a name."""
 import math
 from collections.abc import Iterator, Mapping
-from functools import cached_property
 from typing import Any
 
 from flint import arb, fmpq_mpoly, fmpq_poly
 from sympy import Add, Expr, Float, Matrix, Rational, S, eye
 
+from ..._cached import cached_property
 from ...algebra.enclosures.floats import Array
 from ...algebra.reals.exact import Point
 from ...algebra.reals.number_fields import at_root, common_divisor, in_one

@@ -114,7 +114,10 @@ class PencilBranches(ABC):
         if any(one.decision.pointwise and not one.decision.stable for one in found):       # a resonance there
             middle, found = self._at(between(low, to_sympy(middle)))
         here, nodes = self.curve.roots(middle), _nodes(low, high, self.meets(low), self.meets(high))
-        samples = [_sample(self.pencil, self.curve, t, len(here)) for t in nodes]
+        at = [self.pencil.at(Point({self.curve.t: to_sympy(t)})) for t in nodes]
+        base, slope, vectors, radii = (np.array([np.array(part, float) for part in parts])
+                                       for parts in list(zip(*at))[:4])
+        roots = np.array([[float(root.mid()) for root in self.curve.roots(t, len(here))] for t in nodes])
         parameter = np.array([float(low), *map(float, nodes[1:-1]), float(high)])
         groups: dict[int, list[RelativeEquilibrium]] = {}
         for one in found:
@@ -124,50 +127,31 @@ class PencilBranches(ABC):
         for n, several in groups.items():
             about = several[0].form.circle
             at_pole = len(several) - 1 if about is None else 2 if any(about) else 3
-            x = np.array([sample.x[n] for sample in samples])
-            for one, y in zip(several, _points(samples, n, at_pole)):
-                pieces.append(self.piece(one.label, parameter, one.decision.verdict, x, y))
+            turned = base + roots[:, n, None, None] * slope
+            for one, y in zip(several, _points(turned, vectors[:, :, 0], radii, at_pole)):
+                pieces.append(self.piece(one.label, parameter, one.decision.verdict, roots[:, n], y))
         return pieces
 
     def _at(self, t: Fraction) -> tuple[Fraction, list[RelativeEquilibrium]]:
         return t, [RelativeEquilibrium(form) for form in self.forms(to_sympy(t))]
 
 
-class _Sample(NamedTuple):
-    """A pencil at a node, in doubles, and every x of the curve."""
-
-    base: Array
-    slope: Array
-    vector: Array
-    radius: float
-    x: list[float]
-
-
-def _sample(pencil: Pencil, curve: PlaneCurve, t: Fraction, count: int) -> _Sample:
-    here = pencil.at(Point({curve.t: to_sympy(t)}))
-    base, slope = (np.array(m.tolist(), float) for m in (here.base, here.slope))
-    return _Sample(base, slope, np.array(list(here.vector), float), float(here.radius),
-                   [float(root.mid()) for root in curve.roots(t, count)])
-
-
-def _points(samples: Sequence[_Sample], n: int, at_pole: int) -> list[Array]:
-    """y along the n-th x; where that is a pole, up to three times, y on either side of what is across it."""
+def _points(turned: Array, vectors: Array, radii: Array, at_pole: int) -> list[Array]:
+    """y along a root; where that is a pole, up to three times, y on either side of what is across."""
     found, along = [], np.zeros(3)
-    for sample in samples:
-        turned = sample.base + sample.x[n] * sample.slope
+    for matrix, vector, radius in zip(turned, vectors, radii):
         if not at_pole:
-            whole = np.linalg.matrix_rank(turned) == 3     # else beside a plane across which is no part
-            found.append([np.linalg.solve(turned, sample.vector) if whole
-                          else np.linalg.pinv(turned) @ sample.vector])
+            whole = np.linalg.matrix_rank(matrix) == 3     # else beside a plane across which is no part
+            found.append([np.linalg.solve(matrix, vector) if whole else np.linalg.pinv(matrix) @ vector])
             continue
-        sizes, axes = np.linalg.eigh(turned)
+        sizes, axes = np.linalg.eigh(matrix)
         kernel = np.argsort(abs(sizes))[:at_pole]
         others = np.delete(np.arange(3), kernel)
-        across = axes[:, others] @ (axes[:, others].T @ sample.vector / sizes[others])
+        across = axes[:, others] @ (axes[:, others].T @ vector / sizes[others])
         inside = axes[:, kernel]
         along = inside @ (inside.T @ along) if along.any() else inside[:, 0]
         along = along / np.linalg.norm(along)
-        high = np.sqrt(max(sample.radius**2 - across @ across, 0.0)) * along
+        high = np.sqrt(max(radius**2 - across @ across, 0.0)) * along
         found.append([across + high, across - high])
     return list(np.moveaxis(np.array(found), 1, 0))
 
@@ -177,4 +161,5 @@ def _nodes(a: Expr, b: Expr, first: bool, last: bool) -> list[Fraction]:
     low, high = (fraction_of(ball(t, PRECISION).mid()) for t in (a, b))
     parts = (1 - np.cos(np.pi * np.arange(1, NODES) / NODES)) / 2
     inside = [Fraction(first, NEAR), *map(Fraction, parts.tolist()), 1 - Fraction(last, NEAR)]
-    return [Fraction(round((low + (high - low) * part) * NEAR**2), NEAR**2) for part in inside]
+    unit = NEAR**2 * max(1, int(1 / (NEAR * (high - low))))
+    return [Fraction(round((low + (high - low) * part) * unit), unit) for part in inside]

@@ -35,6 +35,16 @@ class Piece:
         of a free body: ω = ν M
     sigma : array, shape (n,), or None
         where there is a k: ∇U = omega M + sigma k
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> U = gs.general_potential(lambda k1, k2, k3: k1 + k2 + k3)
+    >>> scene = gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 0)), U)
+    >>> for piece in gs.continuation(scene, "omega", (1, "3/2"), {}).pieces:
+    ...     print(piece.verdict.name, piece.parameter[0], piece.parameter[-1])
+    STABLE 1.0 1.5
+    UNSTABLE 1.0 1.5
     """
 
     label: str

@@ -1,25 +1,32 @@
 """The branches of E1, E2 and E3 of a body of revolution over a range, at a fixed rotor and rate."""
 from collections.abc import Iterator, Mapping
 from fractions import Fraction
-from functools import cached_property
+from functools import cache
 from itertools import pairwise
 from typing import Any
 
 import numpy as np
 from sympy import Expr, S
 
+from ..._cached import cached_property
 from ...algebra.enclosures.balls import ball, fraction_of
 from ...algebra.enclosures.floats import Array
-from ...algebra.solving.stations import Place, Station, beside, between, stations
-from ...errors import ScopeError
+from ...algebra.solving.plane_curves import PlaneCurve
+from ...algebra.solving.roots import real_roots
+from ...algebra.solving.stations import Place, Station, beside, between, critical_points, stations
+from ...errors import ScopeError, ValuesError
+from ...mechanics.equilibrium.reduction import K3
 from ...mechanics.families.named_families import E3, POLES
 from ...mechanics.scenes.system import System
+from ...notation import symbol
 from ...stability.decision import Verdict
+from ..finders.rate_level_tilt import exact_point, names_of
 from ..finders.revolution import critical_tilt, pole_at, revolution_forms
 from .bifurcation_kinds import AT_RATE, defined, kind_of, precessions_leave
 from .following import Pieces
+from .meeting_equations import insert, relation_at_rate
 from .piece_and_mark import INFINITE, Mark, Piece
-from .stations_at_rate import critical_of
+from .stations_at_rate import admissible, changes_at_pole, margin_at_rate, margins_vanish, within
 
 # between two stations; of steps in k3 that are longer
 NODES, HALVINGS, LONGEST = 96, 12, 0.05
@@ -33,15 +40,39 @@ class RevolutionBranches:
     """
 
     def __init__(self, scene: System, name: str, low: Expr, high: Expr, values: Mapping[str, Any]):
+        known = names_of(scene) | {"omega"}
+        numbers, free = exact_point(scene, values, known), symbol(name)
+        if name not in known or "omega" not in (name, *values):
+            raise ValuesError(f"E3 is followed at a rate about the vertical, given were {', '.join(values)}, "
+                              f"free is {name}: give omega too, or leave it free; the names are "
+                              f"{', '.join(sorted(known))}")
+        if free in numbers:
+            raise ValuesError(f"{name} is along the axis, and has the value {numbers[free]} too: leave "
+                              "out one of the two")
+        admissible({*scene.body.moments[1:]} | ({free} if free.is_positive else set()), numbers, free, low,
+                   high)
         self.scene, self.name, self.values = scene, name, values
-        self.critical = critical_of(scene, name, low, high, values)
-        self.curve = self.critical.curve
+        margin, held = margin_at_rate(scene, numbers, free)
+        relation = insert(scene, relation_at_rate(scene), K3, numbers, {free, K3}, E3.label)
+        self.curve = curve = PlaneCurve(relation, K3, free, (margin, held))
+        inside = cache(lambda t: within(t, low, high))
+        meet, margins, infinite = (
+            [point for point in points if inside(point[0])] for points in (
+                critical_points(curve), margins_vanish(curve, margin, held),
+                (point for F in curve.components for pole in curve.poles for point in curve.common(F, pole))))
+        # (value, k3) where the margin of E3 vanishes, or U is infinite
+        self.margins, self.infinite = frozenset(margins), frozenset(infinite)
+        # values at which every tilt is E3, and at which the margin of E1 (1) or E2 (−1) is 0 or infinite
+        self.lines = [t for line in curve.lines
+                      for t in real_roots(curve.ring.expression(line), free) or () if inside(t)]
+        self.poles = {s: [t for t in changes_at_pole(scene, numbers, free, s) if inside(t)] for s in POLES}
+        self.points = [*meet, *margins, *infinite]
 
     @cached_property
     def at(self) -> dict[Expr, Station]:
         """The stations by value."""
-        other = (*self.critical.lines, *self.critical.poles[1], *self.critical.poles[-1])
-        return {station.t: station for station in stations(self.curve, self.critical.points, other)}
+        other = (*self.lines, *self.poles[1], *self.poles[-1])
+        return {station.t: station for station in stations(self.curve, self.points, other)}
 
     @property
     def stations(self) -> list[Expr]:
@@ -87,7 +118,7 @@ class RevolutionBranches:
         verdicts: set[Verdict | None] = {
             next((piece.verdict for piece in side if piece.label == POLES[s].label), None)
             for side in sides if side is not None}
-        if t in self.critical.poles[s]:
+        if t in self.poles[s]:
             here = pole_at(self.scene, s, self.placed(t))
             verdicts.add(here.known().verdict if here else None)
         return None if None in verdicts else len(verdicts) > 1
@@ -124,20 +155,20 @@ class RevolutionBranches:
 
     def alone(self, station: Expr) -> Iterator[Piece]:
         """Every tilt at one value, and single ones."""
-        if station in self.critical.lines:
+        if station in self.lines:
             for form in revolution_forms(self.scene, self.placed(station)):
                 if form.label == E3.label and form.every:
                     yield Piece(E3.label, np.full(2, float(station)), form.known().verdict,
                                 np.array([-1.0, 1.0]))
         for place in self.at[station].places:
             if (place.x**2 != 1 and not place.left and not place.right
-                    and (station, place.x) not in self.critical.infinite):
+                    and (station, place.x) not in self.infinite):
                 yield Piece(E3.label, np.array([float(station)]), self.verdict(station, place, []),
                             np.array([float(place.x)]))
 
     def verdict(self, t: Expr, place: Place, beside_it: list[Verdict]) -> Verdict:
         """Of E3 at a place."""
-        if (t, place.x) in self.critical.margins:
+        if (t, place.x) in self.margins:
             return critical_tilt(self.scene, place.x, self.placed(t))
         if beside_it:
             return beside_it[0]
@@ -147,13 +178,13 @@ class RevolutionBranches:
     def marks(self, station: Expr, before: Pieces | None, after: Pieces | None) -> Iterator[Mark]:
         """Of E1 and E2, then of the tilts."""
         for s, family in POLES.items():
-            if station in self.critical.poles[s] and (
+            if station in self.poles[s] and (
                     changed := self.changed(s, station, before, after)) is not False:
                 kind = INFINITE if changed is None else precessions_leave(family)
                 yield Mark(kind, self.name, station, S(s), changes=changed is not None)
         for place in self.at[station].places:
             point, several = (station, place.x), bool(place.left or place.right)
-            if point in self.critical.infinite or (place.x**2 == 1 and not defined(self.curve, *point)):
+            if point in self.infinite or (place.x**2 == 1 and not defined(self.curve, *point)):
                 if several:
                     yield Mark(INFINITE, self.name, *point, changes=False)
                 continue
