@@ -93,59 +93,32 @@ def draw_bifurcation_diagram(scene: System, name: str, ends: tuple[Any, Any], va
     ['E3 leaves E1', 'changes: precessions leave E2']
     """
     found = continuation(scene, name, ends, values)
-    ax = axes_of(ax)
-    if scene.kind in (Kind.FREE, Kind.FIELD):
-        return _draw_rotations(found, scene, name, values, ax, kwargs)
-    for piece in found.pieces:
-        alone = len(piece.parameter) == 1
-        ax.plot(piece.parameter, piece.k3, **{**(marker if alone else line)(piece.verdict), "clip_on": False,
-                                              **({} if alone else kwargs)})
-    handles = [*_verdicts(found, kwargs), *_marks_of(found, ax, lambda mark: mark.k3)]
-    low, high = (float(exact_number(end, name)) for end in ends)
-    ax.set(xlim=(low, high), ylim=(-1.1, 1.1))
-    for text, height in _names(found, high):
-        ax.annotate(text, (1, height), xytext=(4, 0), xycoords=ax.get_yaxis_transform(),
-                    textcoords="offset points", va="center")
-    for piece in _unnamed(found, high):
-        n = int(np.argmin(np.abs(piece.parameter - piece.parameter.mean())))
-        above = _k3(piece)[n] < 0                          # away from E1 and E2
-        ax.annotate(piece.label, (piece.parameter[n], _k3(piece)[n]), xytext=(5, 5 if above else -5),
-                    textcoords="offset points",
-                    va="bottom" if above else "top")
-    ax.set_xlabel(axis(name))
-    ax.set_ylabel(label("k3"))
-    legend(ax, handles, 2, heading(ax, *of_scene(scene, values)))
-    return ax
-
-
-def _draw_rotations(found: Continuation, scene: System, name: str, values: Mapping[str, Any], ax: Any,
-                    kwargs: Mapping[str, Any]) -> Any:
-    """k3 of those in a field; of a free gyrostat M along the axis of the name, or ν."""
-    free, letters, rotor = scene.kind is Kind.FREE, letters_of(scene), scene.body.gyrostatic_momentum
-    entry = rotor.index(symbol(name)) if symbol(name) in rotor else None
+    ax, free, rotor = axes_of(ax), scene.kind is Kind.FREE, scene.body.gyrostatic_momentum
+    entry = rotor.index(symbol(name)) if free and symbol(name) in rotor else None
 
     def height(of: Piece | Mark) -> Any:
-        if not free:
-            return of.k3
-        return of.nu if entry is None else np.array(of.momentum).T[entry]
+        return of.k3 if not free else of.nu if entry is None else np.array(of.momentum).T[entry]
 
     for piece in found.pieces:
-        ax.plot(piece.parameter, height(piece), **{**line(piece.verdict), "clip_on": False, **kwargs})
-    verdicts = {piece.verdict for piece in found.pieces}
-    handles = [named({**line(verdict), **kwargs}, verdict.name.lower()) for verdict in Verdict
-               if verdict in verdicts]
-    handles += _marks_of(found, ax, height)
-    ends = [float(end) for piece in found.pieces for end in piece.parameter[[0, -1]]]
-    ax.set(xlim=(min(ends), max(ends)))
-    ax.set_xlabel(axis(name) if name != LENGTH.name or not free else with_dimension("$|M|$", MOMENTUM))
-    said = of_scene(scene, values)
+        alone = len(piece.parameter) == 1
+        ax.plot(piece.parameter, height(piece), **{**(marker if alone else line)(piece.verdict),
+                                                   "clip_on": False, **({} if alone else kwargs)})
+    handles = [*_verdicts(found, kwargs), *_marks_of(found, ax, height)]
+    low, high = (float(exact_number(end, name)) for end in ends)
+    ax.set(xlim=(low, high), xlabel=axis(name))
     if free:
+        letters, length = letters_of(scene), name == LENGTH.name
         ax.set_ylabel(axis(letters.of("nu"), RATE) if entry is None
                       else axis(letters.of(f"M{entry + 1}"), MOMENTUM))
-        said = said if name == LENGTH.name else of_sphere(scene, values, values[LENGTH.name])
+        if length:
+            ax.set_xlabel(with_dimension("$|M|$", MOMENTUM))
+        said = of_scene(scene, values) if length else of_sphere(scene, values, values[LENGTH.name])
     else:
         ax.set(ylim=(-1.1, 1.1), ylabel=label("k3"))
-    legend(ax, handles, 3, heading(ax, *said))
+        said = of_scene(scene, values)
+    if scene.kind is Kind.REVOLUTION:
+        _name(found, high, ax)
+    legend(ax, handles, 2 if scene.kind is Kind.REVOLUTION else 3, heading(ax, *said))
     return ax
 
 
@@ -176,25 +149,25 @@ def _verdicts(found: Continuation, kwargs: Mapping[str, Any]) -> list[Any]:
     return handles
 
 
-def _k3(piece: Piece) -> Array:
-    assert piece.k3 is not None
-    return piece.k3
-
-
-def _names(found: Continuation, high: float) -> list[tuple[str, float]]:
-    """The branches that come to the right side, and the heights of their names, none over another."""
-    ends = [(piece.label, float(_k3(piece)[-1])) for piece in found.pieces if len(_k3(piece)) > 1
+def _name(found: Continuation, high: float, ax: Any) -> None:
+    """The branches that come to the right side, there, none over another; or the longest piece of E3."""
+    ends = [(piece.label, float(_k3(piece)[-1])) for piece in found.pieces if len(piece.parameter) > 1
             and piece.parameter[-1] == high]
     names: list[tuple[str, float]] = []
     for name, height in sorted(ends):                      # E1 and E2 first
         if all(abs(height - other) > CLEARANCE for _, other in names):
             names.append((name, height))
-    return names
-
-
-def _unnamed(found: Continuation, high: float) -> list[Piece]:
-    """The longest piece of E3, if no branch of it has a name at the right side."""
+            ax.annotate(name, (1, height), xytext=(4, 0), xycoords=ax.get_yaxis_transform(),
+                        textcoords="offset points", va="center")
     tilted = [piece for piece in found.pieces if piece.label == E3.label]
-    if not tilted or any(name == E3.label for name, _ in _names(found, high)):
-        return []
-    return [max(tilted, key=lambda piece: float(np.ptp(piece.parameter) + np.ptp(_k3(piece))))]
+    if tilted and all(name != E3.label for name, _ in names):
+        piece = max(tilted, key=lambda piece: float(np.ptp(piece.parameter) + np.ptp(_k3(piece))))
+        n = int(np.argmin(np.abs(piece.parameter - piece.parameter.mean())))
+        above = _k3(piece)[n] < 0                          # away from E1 and E2
+        ax.annotate(piece.label, (piece.parameter[n], _k3(piece)[n]), xytext=(5, 5 if above else -5),
+                    textcoords="offset points", va="bottom" if above else "top")
+
+
+def _k3(piece: Piece) -> Array:
+    assert piece.k3 is not None
+    return piece.k3

@@ -10,11 +10,15 @@ from ...errors import ValuesError
 from ...mechanics.scenes.coupled import in_one_direction
 from ...mechanics.scenes.kind import Kind
 from ...mechanics.scenes.system import System
+from ..finders.rate_level_tilt import names_of
 from .following import follow
 from .free_branches import FreeBranches
 from .heavy_branches import HeavyBranches
 from .piece_and_mark import Continuation
 from .revolution_branches import RevolutionBranches
+
+CURVES: dict[Kind, type[FreeBranches | HeavyBranches | RevolutionBranches]] = {
+    Kind.FREE: FreeBranches, Kind.REVOLUTION: RevolutionBranches, Kind.FIELD: HeavyBranches}
 
 
 @checked
@@ -70,7 +74,6 @@ def continuation(scene: System, name: str, ends: tuple[Any, Any], values: Mappin
     if sign_of_constant(high - low) != 1:
         raise ValuesError(f"the range of {name} is {low} to {high}: give two numbers, the lower one "
                           "first")
-    curve = (FreeBranches if scene.kind is Kind.FREE
-             else HeavyBranches if scene.kind is Kind.FIELD and not scene.unspecified
-             else RevolutionBranches)(scene, name, low, high, values)
-    return follow(curve, low, high)
+    if scene.unspecified:
+        names_of(scene)                                    # refuses it
+    return follow(CURVES[scene.kind](scene, name, low, high, values), low, high)

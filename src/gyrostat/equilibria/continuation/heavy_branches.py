@@ -117,10 +117,6 @@ class HeavyBranches(PencilBranches):
         return dot(k, data.gradient) - omega * dot(k, [omega * dot(row, k) + l
                                                        for row, l in zip(data.inertia, data.rotor)])
 
-    def meets(self, t: Expr) -> bool:
-        """Where the stability of one changes, none do."""
-        return t not in self.changed
-
     def piece(self, label: str, parameter: Array, verdict: Verdict, x: Array, y: Array) -> Piece:
         """k and sigma."""
         return Piece(label, parameter, verdict, k3=y[:, 2], k=y, sigma=x)

@@ -93,15 +93,12 @@ def _directions(ring: Ring, pencil: Pencil, F: fmpq_mpoly, sigma: int) -> Iterat
 
 def _inserted(ring: Ring, polynomial: fmpq_mpoly, k: Direction, degree: int) -> fmpq_mpoly:
     """A polynomial of a degree in k, times that power of what is under k."""
-    places = [ring.generators.index(x) for x in DIRECTION]
-    s = ring.gens[ALONG]
+    places, s = [ring.generators.index(x) for x in DIRECTION], ring.gens[ALONG]
     parts = [[(x + s * e) ** n for n in range(degree + 1)] for x, e in zip(k.across, k.kernel)]
     under = [k.under**n for n in range(degree + 1)]
-    found: dict[tuple[int, ...], fmpq_mpoly] = {}
-    for powers, c in ring.coefficients(polynomial, set(DIRECTION)).items():
-        found[tuple(powers[n] for n in places)] = c
+    found = ring.coefficients(polynomial, set(DIRECTION)).items()
     return sum((c * parts[0][i] * parts[1][j] * parts[2][m] * under[degree - i - j - m]
-                for (i, j, m), c in found.items()), ring.zero)
+                for powers, c in found for i, j, m in [[powers[n] for n in places]]), ring.zero)
 
 
 def _norm(ring: Ring, margin: fmpq_mpoly, k: Direction) -> fmpq_mpoly:

@@ -11,6 +11,7 @@ import numpy as np
 from flint import arb
 from sympy import Expr, Matrix, Rational, S, Symbol
 
+from ..._cached import cached_property
 from ...algebra.enclosures.balls import ball, fraction_of
 from ...algebra.enclosures.floats import Array
 from ...algebra.enclosures.rationals import to_sympy
@@ -88,6 +89,11 @@ class PencilBranches(ABC):
     pencil: Pencil
     curve: PlaneCurve
 
+    @cached_property
+    def changed(self) -> dict[Expr, str]:
+        """What happens at the stations where none meet."""
+        return {}
+
     @abstractmethod
     def forms(self, t: Rational) -> Sequence[Form]:
         """Every rotation at a value, exact."""
@@ -100,10 +106,6 @@ class PencilBranches(ABC):
     def piece(self, label: str, parameter: Array, verdict: Verdict, x: Array, y: Array) -> Piece:
         """In the words of the scene."""
 
-    def meets(self, t: Expr) -> bool:
-        """Whether some may meet at an end of a span."""
-        return True
-
     def alone(self, station: Expr) -> tuple[()]:
         """None."""
         return ()
@@ -113,7 +115,8 @@ class PencilBranches(ABC):
         middle, found = self._at(between(low, high))
         if any(one.decision.pointwise and not one.decision.stable for one in found):       # a resonance there
             middle, found = self._at(between(low, to_sympy(middle)))
-        here, nodes = self.curve.roots(middle), _nodes(low, high, self.meets(low), self.meets(high))
+        nodes = _nodes(low, high, low not in self.changed, high not in self.changed)
+        here = self.curve.roots(middle)
         at = [self.pencil.at(Point({self.curve.t: to_sympy(t)})) for t in nodes]
         base, slope, vectors, radii = (np.array([np.array(part, float) for part in parts])
                                        for parts in list(zip(*at))[:4])

@@ -123,7 +123,8 @@ class Continuation:
     pieces : list of Piece
         each of one verdict; of permanent rotations none goes on through a value where two of them meet
     marks : list of Mark
-        every change of stability, every meeting and every end, exact and complete, by value
+        every change of stability, every meeting and every end, exact and by value; of a rotation that changes
+        where others meet, or at an end of the range, the meeting alone
 
     Examples
     --------
