@@ -7,7 +7,7 @@ import pytest
 from heavy_scenes import drawn, floats, k1, k2, k3, scene_of
 from matplotlib.figure import Figure
 from slow import sampled
-from sympy import sqrt
+from sympy import Rational, sqrt
 
 import gyrostat as gs
 from gyrostat.errors import ScopeError, ValuesError
@@ -113,3 +113,15 @@ def test_two_changes_closer_than_nodes():
         listed = gs.relative_equilibria(scene, {"omega": 1, "m": m})
         followed = [p for p in found.pieces if p.parameter[0] < float(m) < p.parameter[-1]]
         assert sorted(p.verdict.name for p in followed) == sorted(e.decision.verdict.name for e in listed)
+
+
+def test_a_change_of_rotations_on_either_side_of_a_plane():
+    """Those with a part along an axis without force and rotor, at 2 omega⁴ = 3."""
+    scene = gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 0)), gs.general_potential(k3))
+    found = [mark for mark in gs.continuation(scene, "omega", (1, "3/2"), {}).marks if mark.changes]
+    assert {mark.kind for mark in found} == {"singular form"}
+    assert len({mark.value for mark in found}) == 1 and (2 * found[0].value**4 - 3).equals(0)
+    across, side, high = (sqrt(Rational(n, 6)) for n in (2, 5, 4))
+    wanted = [(0, across, high), (0, -across, high), (side, 0, high / 2), (-side, 0, high / 2)]
+    np.testing.assert_allclose(sorted(map(list, np.array([mark.k for mark in found], float))),
+                               sorted(map(list, np.array(wanted, float))), atol=1e-9)
