@@ -21,6 +21,7 @@ from ..mechanics.scenes.system import System
 from ..notation import symbol
 from ..printing.letters import letters_of
 from ..stability.decision import Verdict
+from .globe import dots_of
 from .headings import heading, of_scene, of_sphere
 from .looks import DARK, axes_of, axis, label, legend, line, marker, named, with_dimension
 
@@ -124,14 +125,14 @@ def draw_bifurcation_diagram(scene: System, name: str, ends: tuple[Any, Any], va
 
 def _marks_of(found: Continuation, ax: Any, height: Callable[[Mark], Any]) -> list[Any]:
     """The marks, and what stands in the legend for them; full where stability changes, else open."""
-    handles = []
+    handles: list[Any] = []
     for kind, shape in SHAPES.items():
         if marks := [mark for mark in found.marks if mark.kind == kind]:
             style = {"color": DARK, "marker": shape, "markersize": 6, "linestyle": "none",
                      "markerfacecolor": DARK if kind in CHANGES else "white"}
-            ax.plot([float(mark.value) for mark in marks], [float(height(mark)) for mark in marks], zorder=4,
-                    clip_on=False, **style)
-            handles.append(named(style, f"changes: {kind}" if kind in CHANGES else kind))
+            places = [(float(mark.value), float(height(mark))) for mark in marks]
+            said = f"changes: {kind}" if kind in CHANGES else kind
+            handles += dots_of(ax, places, style, said, clip_on=False)
     return handles
 
 
