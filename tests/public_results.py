@@ -70,7 +70,6 @@ def results():
                                                gs.general_potential(lambda k1, k2, k3: k3)))).window()
     found = {
         "AmendedPotential": gs.amended_potential(k.gyrostat), "Bifurcation": gs.bifurcations(k.top)[0],
-        "BifurcationPoint": gs.bifurcation_points(k.top, "pi3_0", {"I1": 1, "l": 0, "m0": 1})[0],
         "Case": first.cases[0],
         "Condition": k.report.sufficient.alternatives[0][0],
         "Continuation": gs.continuation(k.top, "omega", (1, 3), {"I1": 2, "I3": 1, "l": 0, "m0": 1}),
@@ -78,11 +77,11 @@ def results():
         "CriticalPoint": gs.amended_potential(k.heavy).critical_points({"C1": 0})[0],
         "Decision": k.report.verdict({"I1": 1, "l": 0, "m0": 1, "pi3_0": 3}), "Equilibrium": k.upright,
         "Gyrostat": k.free.body, "GyrostatArc": gs.staude_cone(k.gyrostat).arcs({})[4],
-        "HeavyContinuation": gs.continuation(k.heavy, "omega", (1, 2), {}),
         "Interval": first.cases[0].intervals[0], "LiePoisson": k.top.space,
+        "Mark": gs.bifurcation_points(k.top, "pi3_0", {"I1": 1, "l": 0, "m0": 1})[0],
         "Linearization": gs.derivation.linearize(k.upright), "NormalForm": gs.analyze(spin).normal_form({}),
         "Potential": k.top.potential, "RelativeEquilibrium": gs.relative_equilibria(k.top, numbers)[0],
-        "Report": k.report, "RotationContinuation": gs.continuation(k.spun, "l", (0, 1), {"M": 1}),
+        "Piece": gs.continuation(k.heavy, "omega", (1, 2), {}).pieces[0], "Report": k.report,
         "Rotor": k.wheel, "SecondVariation": gs.derivation.second_variation(k.upright), "Solution": solution,
         "SolvedCondition": first, "System": k.top,
         "Spectrum": gs.spectrum(hanging, "pi3_0", (0, 1), {"I1": 1, "I3": 1, "l": 0, "m0": 1}),

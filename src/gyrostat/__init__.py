@@ -18,11 +18,10 @@ from .version import __version__
 
 if TYPE_CHECKING:
     from . import charts, derivation, mechanics, plotting, published, trajectories
-    from .equilibria.continuation.continuation import Continuation, continuation
-    from .equilibria.continuation.free_branches import RotationContinuation
-    from .equilibria.continuation.heavy_branches import HeavyContinuation
+    from .equilibria.continuation.continuation import continuation
     from .equilibria.continuation.meeting_equations import Bifurcation, bifurcations
-    from .equilibria.continuation.meeting_values import BifurcationPoint, bifurcation_points
+    from .equilibria.continuation.meeting_values import bifurcation_points
+    from .equilibria.continuation.piece_and_mark import Continuation, Mark, Piece
     from .equilibria.curves.amended_potential import AmendedPotential, CriticalPoint, amended_potential
     from .equilibria.curves.gyrostat_arcs import GyrostatArc
     from .equilibria.curves.staude import StaudeCone, staude_cone
@@ -73,15 +72,15 @@ _Shown.plain = lambda shown: import_module("gyrostat.printing.formats.text").pla
 
 __all__ = [
     "__version__", "amended_potential", "AmendedPotential", "analyze", "assemble", "axial_potential",
-    "Bifurcation", "bifurcation_points", "BifurcationPoint", "bifurcations", "Case", "charts",
+    "Bifurcation", "bifurcation_points", "bifurcations", "Case", "charts",
     "circular_orbit", "Condition", "Continuation", "continuation", "coupled_potential",
     "CoupledPotential", "Criterion", "CriticalPoint", "Decision", "derivation", "earth_pointing",
     "earth_pointing_gyrostat", "energy_sink_criterion", "Equilibrium", "equilibrium", "errors",
     "general_potential", "Gyrostat", "gyrostat_with_rotors", "GyrostatArc", "hanging",
-    "HeavyContinuation", "ideal_fluid", "inclined", "Interval", "lie_poisson", "LiePoisson", "mechanics",
+    "ideal_fluid", "inclined", "Interval", "lie_poisson", "LiePoisson", "Mark", "mechanics",
     "newtonian_field", "NormalForm", "NOTATION", "Notion", "orbital_precession", "parallel_directions",
-    "permanent_rotation", "plotting", "Potential", "principal_rotation", "published", "reduce",
-    "relative_equilibria", "RelativeEquilibrium", "release", "Report", "RotationContinuation", "Rotor",
+    "permanent_rotation", "Piece", "plotting", "Potential", "principal_rotation", "published", "reduce",
+    "relative_equilibria", "RelativeEquilibrium", "release", "Report", "Rotor",
     "Rung", "Solution", "solve_condition", "SolvedCondition", "Spectrum", "spectrum", "stabilizing_set",
     "static_tilt", "staude_cone", "StaudeArc", "StaudeCone", "steady_motion", "stereographic", "symbol",
     "symmetric_gyrostat", "System", "to_latex", "trajectories", "underwater_vehicle", "uniform_field",
@@ -122,11 +121,10 @@ __getattr__, __dir__ = _later(__name__, {
     "stability.report.report": "Report",
     "equilibria.search": "relative_equilibria",
     "equilibria.relative_equilibrium": "RelativeEquilibrium",
-    "equilibria.continuation.continuation": "Continuation continuation",
-    "equilibria.continuation.free_branches": "RotationContinuation",
-    "equilibria.continuation.heavy_branches": "HeavyContinuation",
+    "equilibria.continuation.continuation": "continuation",
     "equilibria.continuation.meeting_equations": "Bifurcation bifurcations",
-    "equilibria.continuation.meeting_values": "BifurcationPoint bifurcation_points",
+    "equilibria.continuation.meeting_values": "bifurcation_points",
+    "equilibria.continuation.piece_and_mark": "Continuation Mark Piece",
     "equilibria.curves.amended_potential": "amended_potential AmendedPotential CriticalPoint",
     "equilibria.curves.gyrostat_arcs": "GyrostatArc",
     "equilibria.curves.staude": "staude_cone StaudeCone",

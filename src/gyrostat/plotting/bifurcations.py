@@ -7,16 +7,16 @@ from typing import Any
 
 import numpy as np
 
+from ..algebra.enclosures.floats import Array
 from ..algebra.text.numbers import exact_number
 from ..arguments import checked
 from ..equilibria.continuation.bifurcation_kinds import precessions_leave, tilt_leaves
-from ..equilibria.continuation.continuation import Continuation, continuation
-from ..equilibria.continuation.free_branches import RotationContinuation
-from ..equilibria.continuation.heavy_branches import HeavyContinuation
-from ..equilibria.continuation.meeting_values import BifurcationPoint
-from ..equilibria.continuation.piece_and_mark import INFINITE, Piece
+from ..equilibria.continuation.continuation import continuation
+from ..equilibria.continuation.heavy_changes import FREQUENCIES, SINGULAR
+from ..equilibria.continuation.piece_and_mark import INFINITE, Continuation, Mark, Piece
 from ..equilibria.finders.free import LENGTH
 from ..mechanics.families.named_families import E1, E2, E3
+from ..mechanics.scenes.kind import Kind
 from ..mechanics.scenes.system import System
 from ..notation import symbol
 from ..printing.letters import letters_of
@@ -25,11 +25,13 @@ from .globe import dots_of
 from .headings import heading, of_scene, of_sphere
 from .looks import DARK, axes_of, axis, label, legend, line, marker, named, with_dimension
 
-CHANGES = {"fold on a level": "o", precessions_leave(E1): "s", precessions_leave(E2): "p"}
+CHANGES = {"fold on a level": "o", precessions_leave(E1): "s", precessions_leave(E2): "p",
+           SINGULAR: "o", FREQUENCIES: "s"}
 MEETINGS = {tilt_leaves(E1): "^", tilt_leaves(E2): "v", "fold at fixed rate": "D",
             "pitchfork at fixed rate": "P", "crossing at fixed rate": "X", INFINITE: "x"}
 ROTATIONS = {"fold": "D", "pitchfork": "P", "umbilic": "X", "crossing": "x", "circle leaves an axis": "o",
              "circle at this value alone": "s", "sphere at this value alone": "*"}
+SHAPES = {**MEETINGS, **ROTATIONS, **CHANGES}
 MOMENTUM, RATE = (1, 1, 0), (0, 1, 0)                      # dimensions
 CLEARANCE = 0.11                                           # of the names, in k3
 
@@ -46,7 +48,8 @@ def draw_bifurcation_diagram(scene: System, name: str, ends: tuple[Any, Any], va
     without one, at this rotor and rate: branches of E3 fold, or come to E1 or E2. An E3 without others beside
     it is a circle as in the other pictures.
 
-    Of any other body in a field the permanent rotations at omega, k3 of them.
+    Of any other body in a field the permanent rotations at omega, k3 of them: a full mark is a form that is
+    singular, or two frequencies that meet.
 
     Of a free gyrostat the permanent rotations on a momentum sphere: against a component of the rotor M along
     its axis, against anything else ν, ω = ν M. A mark stands where rotations meet; lines that cross without
@@ -91,93 +94,46 @@ def draw_bifurcation_diagram(scene: System, name: str, ends: tuple[Any, Any], va
     ['E3 leaves E1', 'changes: precessions leave E2']
     """
     found = continuation(scene, name, ends, values)
-    ax = axes_of(ax)
-    if isinstance(found, RotationContinuation):
-        return _draw_rotations(found, scene, name, values, ax, kwargs)
-    if isinstance(found, HeavyContinuation):
-        return _draw_heavy(found, scene, name, values, ax, kwargs)
+    ax, free, rotor = axes_of(ax), scene.kind is Kind.FREE, scene.body.gyrostatic_momentum
+    entry = rotor.index(symbol(name)) if free and symbol(name) in rotor else None
+
+    def height(of: Piece | Mark) -> Any:
+        return of.k3 if not free else of.nu if entry is None else np.array(of.momentum).T[entry]
+
     for piece in found.pieces:
         alone = len(piece.parameter) == 1
-        ax.plot(piece.parameter, piece.k3, **{**(marker if alone else line)(piece.verdict), "clip_on": False,
-                                              **({} if alone else kwargs)})
-    handles = [*_verdicts(found, kwargs), *_marks(found, ax, {**MEETINGS, **CHANGES}, _k3)]
+        ax.plot(piece.parameter, height(piece), **{**(marker if alone else line)(piece.verdict),
+                                                   "clip_on": False, **({} if alone else kwargs)})
+    handles = [*_verdicts(found, kwargs), *_marks_of(found, ax, height)]
     low, high = (float(exact_number(end, name)) for end in ends)
-    ax.set(xlim=(low, high), ylim=(-1.1, 1.1), xlabel=axis(name), ylabel=label("k3"))
-    for text, height in _names(found, high):
-        ax.annotate(text, (1, height), xytext=(4, 0), xycoords=ax.get_yaxis_transform(),
-                    textcoords="offset points", va="center")
-    for piece in _unnamed(found, high):
-        n = int(np.argmin(np.abs(piece.parameter - piece.parameter.mean())))
-        above = piece.k3[n] < 0                            # away from E1 and E2
-        ax.annotate(piece.label, (piece.parameter[n], piece.k3[n]), xytext=(5, 5 if above else -5),
-                    textcoords="offset points",
-                    va="bottom" if above else "top")
-    legend(ax, handles, 2, heading(ax, *of_scene(scene, values)))
+    ax.set(xlim=(low, high), xlabel=axis(name))
+    if free:
+        letters, length = letters_of(scene), name == LENGTH.name
+        ax.set_ylabel(axis(letters.of("nu"), RATE) if entry is None
+                      else axis(letters.of(f"M{entry + 1}"), MOMENTUM))
+        if length:
+            ax.set_xlabel(with_dimension("$|M|$", MOMENTUM))
+        said = of_scene(scene, values) if length else of_sphere(scene, values, values[LENGTH.name])
+    else:
+        ax.set(ylim=(-1.1, 1.1), ylabel=label("k3"))
+        said = of_scene(scene, values)
+    if scene.kind is Kind.REVOLUTION:
+        _name(found, high, ax)
+    legend(ax, handles, 2 if scene.kind is Kind.REVOLUTION else 3, heading(ax, *said))
     return ax
 
 
-def _draw_rotations(found: RotationContinuation, scene: System, name: str,
-                    values: Mapping[str, Any], ax: Any, kwargs: Mapping[str, Any]) -> Any:
-    """Of a free gyrostat."""
-    rotor = scene.body.gyrostatic_momentum
-    entry = rotor.index(symbol(name)) if symbol(name) in rotor else None
-    for piece in found.pieces:
-        height = piece.nu if entry is None else piece.momentum[:, entry]
-        ax.plot(piece.parameter, height, **{**line(piece.verdict), "clip_on": False, **kwargs})
-    handles = [*_lines_of(found, kwargs), *_marks(found, ax, ROTATIONS, lambda mark: _height(mark, entry))]
-    ends = [float(end) for piece in found.pieces for end in piece.parameter[[0, -1]]]
-    ax.set(xlim=(min(ends), max(ends)))
-    ax.set_xlabel(with_dimension("$|M|$", MOMENTUM) if name == LENGTH.name else axis(name))
-    letters = letters_of(scene)
-    ax.set_ylabel(axis(letters.of("nu"), RATE) if entry is None
-                  else axis(letters.of(f"M{entry + 1}"), MOMENTUM))
-    said = of_scene(scene, values) if name == LENGTH.name else of_sphere(scene, values, values[LENGTH.name])
-    legend(ax, handles, 3, heading(ax, *said))
-    return ax
-
-
-def _draw_heavy(found: HeavyContinuation, scene: System, name: str, values: Mapping[str, Any], ax: Any,
-                kwargs: Mapping[str, Any]) -> Any:
-    """Of a body in a field that is not of revolution."""
-    for piece in found.pieces:
-        ax.plot(piece.parameter, piece.k[:, 2], **{**line(piece.verdict), "clip_on": False, **kwargs})
-    handles = [*_lines_of(found, kwargs), *_marks(found, ax, ROTATIONS, _k3)]
-    ends = [float(end) for piece in found.pieces for end in piece.parameter[[0, -1]]]
-    ax.set(xlim=(min(ends), max(ends)), ylim=(-1.1, 1.1), xlabel=axis(name), ylabel=label("k3"))
-    legend(ax, handles, 3, heading(ax, *of_scene(scene, values)))
-    return ax
-
-
-def _k3(mark: Any) -> float:
-    return float(mark.k3)
-
-
-def _lines_of(found: RotationContinuation | HeavyContinuation, kwargs: Mapping[str, Any]) -> list[Any]:
-    """What stands in the legend for the verdicts."""
-    return [named({**line(verdict), **kwargs}, verdict.name.lower()) for verdict in Verdict
-            if verdict in {piece.verdict for piece in found.pieces}]
-
-
-def _marks(found: Continuation | RotationContinuation | HeavyContinuation, ax: Any,
-           shapes: Mapping[str, str], height: Callable[[Any], float]) -> list[Any]:
-    """The marks, full where stability changes, open where branches meet or end without a change.
-
-    Returned is what stands in the legend for them.
-    """
+def _marks_of(found: Continuation, ax: Any, height: Callable[[Mark], Any]) -> list[Any]:
+    """The marks, and what stands in the legend for them; full where stability changes, else open."""
     handles: list[Any] = []
-    for kind, shape in shapes.items():
+    for kind, shape in SHAPES.items():
         if marks := [mark for mark in found.marks if mark.kind == kind]:
             style = {"color": DARK, "marker": shape, "markersize": 6, "linestyle": "none",
                      "markerfacecolor": DARK if kind in CHANGES else "white"}
-            places = [(float(mark.value), height(mark)) for mark in marks]
+            places = [(float(mark.value), float(height(mark))) for mark in marks]
             said = f"changes: {kind}" if kind in CHANGES else kind
             handles += dots_of(ax, places, style, said, clip_on=False)
     return handles
-
-
-def _height(mark: BifurcationPoint, entry: int | None) -> float:
-    assert mark.nu is not None and mark.momentum is not None
-    return float(mark.nu if entry is None else mark.momentum[entry])
 
 
 def _verdicts(found: Continuation, kwargs: Mapping[str, Any]) -> list[Any]:
@@ -194,20 +150,25 @@ def _verdicts(found: Continuation, kwargs: Mapping[str, Any]) -> list[Any]:
     return handles
 
 
-def _names(found: Continuation, high: float) -> list[tuple[str, float]]:
-    """The branches that come to the right side, and the heights of their names, none over another."""
-    ends = [(piece.label, float(piece.k3[-1])) for piece in found.pieces if len(piece.k3) > 1
+def _name(found: Continuation, high: float, ax: Any) -> None:
+    """The branches that come to the right side, there, none over another; or the longest piece of E3."""
+    ends = [(piece.label, float(_k3(piece)[-1])) for piece in found.pieces if len(piece.parameter) > 1
             and piece.parameter[-1] == high]
     names: list[tuple[str, float]] = []
     for name, height in sorted(ends):                      # E1 and E2 first
         if all(abs(height - other) > CLEARANCE for _, other in names):
             names.append((name, height))
-    return names
-
-
-def _unnamed(found: Continuation, high: float) -> list[Piece]:
-    """The longest piece of E3, if no branch of it has a name at the right side."""
+            ax.annotate(name, (1, height), xytext=(4, 0), xycoords=ax.get_yaxis_transform(),
+                        textcoords="offset points", va="center")
     tilted = [piece for piece in found.pieces if piece.label == E3.label]
-    if not tilted or any(name == E3.label for name, _ in _names(found, high)):
-        return []
-    return [max(tilted, key=lambda piece: float(np.ptp(piece.parameter) + np.ptp(piece.k3)))]
+    if tilted and all(name != E3.label for name, _ in names):
+        piece = max(tilted, key=lambda piece: float(np.ptp(piece.parameter) + np.ptp(_k3(piece))))
+        n = int(np.argmin(np.abs(piece.parameter - piece.parameter.mean())))
+        above = _k3(piece)[n] < 0                          # away from E1 and E2
+        ax.annotate(piece.label, (piece.parameter[n], _k3(piece)[n]), xytext=(5, 5 if above else -5),
+                    textcoords="offset points", va="bottom" if above else "top")
+
+
+def _k3(piece: Piece) -> Array:
+    assert piece.k3 is not None
+    return piece.k3

@@ -7,7 +7,7 @@ import pytest
 from heavy_scenes import drawn, floats, k1, k2, k3, scene_of
 from matplotlib.figure import Figure
 from slow import sampled
-from sympy import sqrt
+from sympy import Rational, sqrt
 
 import gyrostat as gs
 from gyrostat.errors import ScopeError, ValuesError
@@ -26,9 +26,10 @@ def counted(l3):
 def test_folds_and_a_pitchfork_in_a_plane_of_symmetry():
     """At a fold two appear or vanish, at a pitchfork off the plane; a piece for each, with its verdict."""
     found = gs.continuation(PLANE, "l3", (-4, 4), {"omega": 1})
-    marks = [(mark.kind, float(mark.value)) for mark in found.marks]
+    met = [mark for mark in found.marks if not mark.changes]
+    marks = [(mark.kind, float(mark.value)) for mark in met]
     assert [kind for kind, _ in marks] == ["fold", "pitchfork", "pitchfork", "fold"]
-    assert [mark.value for mark in found.marks[1:3]] == [2 - sqrt(3) / 2, 2 + sqrt(3) / 2]
+    assert [mark.value for mark in met[1:3]] == [2 - sqrt(3) / 2, 2 + sqrt(3) / 2]
     for kind, value in marks:
         before, after = counted(value - 0.01), counted(value + 0.01)
         assert abs(before - after) == 2, (kind, value)
@@ -76,9 +77,9 @@ def test_the_picture():
     ax = gs.plotting.draw_bifurcation_diagram(PLANE, "l3", ("5/2", 3), {"omega": 1},
                                               Figure().subplots())
     names = [text.get_text() for text in ax.get_legend().get_texts()]
-    assert {"unstable", "fold", "pitchfork"} <= set(names)
-    heights = [line.get_ydata() for line in ax.lines if line.get_linestyle() == "None"]
-    assert np.allclose(heights[-1], [-(3**0.5) / 2])
+    assert {"unstable", "fold", "pitchfork", "changes: singular form"} <= set(names)
+    heights = {line.get_marker(): line.get_ydata() for line in ax.lines if line.get_linestyle() == "None"}
+    assert np.allclose(heights["P"], [-(3**0.5) / 2]) and len(heights["o"]) == 2
 
 
 @pytest.mark.slow
@@ -97,3 +98,30 @@ def test_what_is_refused():
         gs.continuation(PLANE, "l3", (0, 1), {})
     with pytest.raises(ValuesError, match="l3 is free, and has the value 1 too"):
         gs.continuation(PLANE, "l3", (0, 1), {"omega": 1, "l3": 1})
+
+
+def test_two_changes_closer_than_nodes():
+    """Gyroscopic forces hold a rotation over 0.0064 of m, where frequencies meet to where det = 0."""
+    scene = gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 0)), gs.general_potential(k1 / 2 + gs.symbol("m") * k3))
+    found = gs.continuation(scene, "m", (1, 3), {"omega": 1})
+    assert [(mark.kind, mark.changes) for mark in found.marks] == [("frequencies meet", True),
+                                                                   ("singular form", True)]
+    low, high = (mark.value for mark in found.marks)
+    assert (82944 * high**10 - 1029888 * high**8 + 5104512 * high**6 - 13019424 * high**4 + 13397764 * high**2
+            - 2460375).equals(0) and 0 < float(high - low) < 0.0064
+    for m in ("1.33", "1.338", "1.35"):
+        listed = gs.relative_equilibria(scene, {"omega": 1, "m": m})
+        followed = [p for p in found.pieces if p.parameter[0] < float(m) < p.parameter[-1]]
+        assert sorted(p.verdict.name for p in followed) == sorted(e.decision.verdict.name for e in listed)
+
+
+def test_a_change_of_rotations_on_either_side_of_a_plane():
+    """Those with a part along an axis without force and rotor, at 2 omega⁴ = 3."""
+    scene = gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 0)), gs.general_potential(k3))
+    found = [mark for mark in gs.continuation(scene, "omega", (1, "3/2"), {}).marks if mark.changes]
+    assert {mark.kind for mark in found} == {"singular form"}
+    assert len({mark.value for mark in found}) == 1 and (2 * found[0].value**4 - 3).equals(0)
+    across, side, high = (sqrt(Rational(n, 6)) for n in (2, 5, 4))
+    wanted = [(0, across, high), (0, -across, high), (side, 0, high / 2), (-side, 0, high / 2)]
+    np.testing.assert_allclose(sorted(map(list, np.array([mark.k for mark in found], float))),
+                               sorted(map(list, np.array(wanted, float))), atol=1e-9)

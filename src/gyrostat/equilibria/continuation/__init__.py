@@ -1,8 +1,9 @@
 """Relative equilibria along a parameter: pieces of one verdict, and marks where something happens.
 
-`continuation` is the one verb. For a body of revolution `meeting_equations` says where its equilibria meet,
-`bifurcation_kinds` in which way, `meeting_values` at which numbers; `stations_at_rate` has all values at
-which something may change, and `revolution_branches` goes from one to the next. A `piece_and_mark` is what
-all of them give. For a free gyrostat the same is done by `free_meeting_equations`, `free_meetings`,
-`rotor_planes` (in a plane of its rotor) and `free_branches`, for a heavy one by `heavy_branches`.
+`continuation` is the one verb; `following` goes from one station to the next on a Curve, which says what
+is between and what meets, and gives a `piece_and_mark`. Of a body of revolution it is `revolution_branches`,
+by `stations_at_rate`; of permanent rotations `free_branches` and `heavy_branches`, by `pencil_branches`, and
+`heavy_changes` has the values at which stability changes in a field. `meeting_equations` says where branches
+meet, `bifurcation_kinds` in which way, `meeting_values` at which numbers; of a free gyrostat that is done by
+`free_meeting_equations`, `free_meetings` and `rotor_planes` (in a plane of its rotor).
 """

@@ -1,66 +1,33 @@
-"""Continuation along a parameter: of E1, E2 and E3 at a fixed rotor and rate, of permanent rotations.
-
-Pieces of one verdict, and marks where something happens.
-"""
+"""Continuation along a name: every relative equilibrium of a scene over a range, and what happens there."""
 from collections.abc import Mapping
-from dataclasses import dataclass
-from itertools import pairwise
 from math import isfinite
 from typing import Any
 
-from sympy import Expr
-
 from ...algebra.reals.exact import sign_of_constant
-from ...algebra.solving.plane_curves import PlaneCurve
-from ...algebra.solving.stations import between, stations
 from ...algebra.text.numbers import exact_number, shown
 from ...arguments import checked
-from ...errors import ScopeError, ValuesError
-from ...mechanics.families.named_families import E3, POLES
+from ...errors import ValuesError
 from ...mechanics.scenes.coupled import in_one_direction
 from ...mechanics.scenes.kind import Kind
 from ...mechanics.scenes.system import System
-from ..finders.revolution import revolution_forms
-from .free_branches import RotationContinuation, followed_rotations
-from .heavy_branches import HeavyContinuation, followed_heavy
-from .piece_and_mark import Mark, Piece, Span
-from .revolution_branches import Followed
-from .stations_at_rate import critical_of
+from ..finders.rate_level_tilt import names_of
+from .following import follow
+from .free_branches import FreeBranches
+from .heavy_branches import HeavyBranches
+from .piece_and_mark import Continuation
+from .revolution_branches import RevolutionBranches
 
-
-@dataclass(frozen=True, eq=False)
-class Continuation:
-    """Branches over a range of one parameter, and what happens on them.
-
-    Parameters
-    ----------
-    pieces : list of Piece
-        each of one verdict
-    marks : list of Mark
-        every change of stability, every meeting and every end
-
-    Examples
-    --------
-    >>> import gyrostat as gs
-    >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
-    >>> found = gs.continuation(top, "omega", (1, 3), {"I1": 2, "I3": 1, "l": 0, "m0": 1})
-    >>> len(found.pieces) > 2
-    True
-    """
-
-    pieces: list[Piece]
-    marks: list[Mark]
+CURVES: dict[Kind, type[FreeBranches | HeavyBranches | RevolutionBranches]] = {
+    Kind.FREE: FreeBranches, Kind.REVOLUTION: RevolutionBranches, Kind.FIELD: HeavyBranches}
 
 
 @checked
-def continuation(scene: System, name: str, ends: tuple[Any, Any],
-                 values: Mapping[str, Any]) -> Continuation | RotationContinuation | HeavyContinuation:
+def continuation(scene: System, name: str, ends: tuple[Any, Any], values: Mapping[str, Any]) -> Continuation:
     """The branches of E1, E2 and E3, or of permanent rotations, over a range of one parameter, complete.
 
-    Between two stations, which are exact, the tilts are simple roots in a fixed order, none ends, and no
-    margin vanishes: the verdicts are those at one fraction between. At a station the branches that come to a
-    point are those that a box about it holds, on either side. Of a free gyrostat the stations are the double
-    points of the curve of ν.
+    They are followed from one station to the next, exact values at which some may meet, appear or vanish, or
+    their stability change: between two of them the verdicts are those at one fraction, but for values at
+    which a resonance of a rotation that gyroscopic forces hold, or D4 = 0, is.
 
     Parameters
     ----------
@@ -75,7 +42,7 @@ def continuation(scene: System, name: str, ends: tuple[Any, Any],
 
     Returns
     -------
-    Continuation; of a free body RotationContinuation, of any other HeavyContinuation
+    Continuation
 
     Raises
     ------
@@ -107,28 +74,6 @@ def continuation(scene: System, name: str, ends: tuple[Any, Any],
     if sign_of_constant(high - low) != 1:
         raise ValuesError(f"the range of {name} is {low} to {high}: give two numbers, the lower one "
                           "first")
-    if scene.kind is Kind.FREE:
-        return followed_rotations(scene, name, low, high, values)
-    if scene.kind is Kind.FIELD and not scene.unspecified:
-        return followed_heavy(scene, name, low, high, values)
-    critical = critical_of(scene, name, low, high, values)
-    found = stations(critical.curve, critical.points,
-                     (*critical.lines, *critical.poles[1], *critical.poles[-1]))
-    inner = [station.t for station in found if station.t not in (low, high)]
-    spans = [_span(scene, values, name, critical.curve, a, b) for a, b in pairwise([low, *inner, high])]
-    here = Followed(scene, values, name, critical, {station.t: station for station in found}, spans)
-    pieces = [piece for s in POLES for piece in here.pole(s)] + here.tilts() + here.lines() + here.isolated()
-    return Continuation(pieces, [mark for station in found for mark in here.marks(station)])
-
-
-def _span(scene: System, values: Mapping[str, Any], name: str, curve: PlaneCurve, a: Expr,
-          b: Expr) -> Span:
-    middle = between(a, b)
-    found = revolution_forms(scene, {**values, name: middle})
-    tilts = tuple(form.known().verdict for form in reversed(found) if form.label == E3.label)
-    if len(tilts) != len(curve.roots(middle)):
-        raise ScopeError(f"at {name} = {middle} there are {len(tilts)} tilts, and "
-                         f"{len(curve.roots(middle))} branches were followed: "
-                         "write the numbers as fractions")
-    return Span(a, b, tilts, {s: x.known().verdict for s, family in POLES.items()
-                              for x in found if x.label == family.label})
+    if scene.unspecified:
+        names_of(scene)                                    # refuses it
+    return follow(CURVES[scene.kind](scene, name, low, high, values), low, high)

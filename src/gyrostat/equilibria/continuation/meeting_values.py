@@ -1,11 +1,9 @@
 """The values of a name at which relative equilibria of a body of revolution meet, as numbers."""
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from typing import Any
 
 from sympy import Expr, S, Symbol
 
-from ..._display import Shown
 from ...algebra.reals.exact import Point, evaluate, proved_sign
 from ...algebra.solving.plane_curves import PlaneCurve
 from ...algebra.solving.roots import in_order, real_roots
@@ -16,58 +14,17 @@ from ...mechanics.equilibrium.reduction import K3, OMEGA, P, V, reduce
 from ...mechanics.families.named_families import POLES
 from ...mechanics.scenes.coupled import in_one_direction
 from ...mechanics.scenes.system import System, at_numbers
-from ...notation import Stored, symbol
+from ...notation import symbol
 from ...stability.criteria.numbers_asked import unknown
 from ..finders.rate_level_tilt import LENGTH, MARKED, exact_point, names_of, numbers_of_rotations
 from .bifurcation_kinds import AT_RATE, ON_LEVEL, defined, kind_of, tilt_leaves
-from .free_meetings import places_where_rotations_meet
+from .free_meetings import rotation_curve, rotations_meet
 from .meeting_equations import bifurcations, insert, relation_at_rate
-
-
-@dataclass(frozen=True, repr=False)
-class BifurcationPoint(Shown, Stored):
-    """The value of the free name at which a bifurcation takes place, and where.
-
-    Its kind says what happens; where branches meet between the poles "at fixed rate" or "on a level", it
-    starts with "fold", "pitchfork", "crossing" or "isolated". Of a free gyrostat it is that of the degenerate
-    rotation: "fold", "pitchfork", "umbilic" (a fold and a pitchfork in one), "circle leaves an axis" of a
-    body of revolution, "circle at this value alone" or "sphere at this value alone".
-
-    Parameters
-    ----------
-    kind : str
-    name : str
-        the one that is free
-    value : Expr
-    k3 : Expr or None
-        None of a free gyrostat
-    nu : Expr or None
-        of a free gyrostat: ω = ν M
-    momentum : tuple of Expr, shape (3,), or None
-        of a free gyrostat: M
-    k : tuple of Expr, shape (3,), or None
-        of a body in a field that is not of revolution
-
-    Examples
-    --------
-    >>> import gyrostat as gs
-    >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
-    >>> point = gs.bifurcation_points(top, values={"I1": 1, "l": 0, "m0": 1}, name="pi3_0")[0]
-    >>> point.kind, point.value, point.k3
-    ('precessions leave E1', -2, 1)
-    """
-
-    kind: str
-    name: str
-    value: Expr
-    k3: Expr | None
-    nu: Expr | None = None
-    momentum: tuple[Expr, ...] | None = None
-    k: tuple[Expr, ...] | None = None
+from .piece_and_mark import Mark
 
 
 @checked
-def bifurcation_points(scene: System, name: str, values: Mapping[str, Any]) -> list[BifurcationPoint]:
+def bifurcation_points(scene: System, name: str, values: Mapping[str, Any]) -> list[Mark]:
     """The values of one name at which relative equilibria meet, all others being given; exact and complete.
 
     Parameters
@@ -82,7 +39,7 @@ def bifurcation_points(scene: System, name: str, values: Mapping[str, Any]) -> l
 
     Returns
     -------
-    list of BifurcationPoint
+    list of Mark
         by value
 
     Raises
@@ -126,19 +83,19 @@ def bifurcation_points(scene: System, name: str, values: Mapping[str, Any]) -> l
     return _by_value(found)
 
 
-def _by_value(found: list[BifurcationPoint]) -> list[BifurcationPoint]:
+def _by_value(found: list[Mark]) -> list[Mark]:
     order = {
         value: n for n, value in enumerate(in_order(list(dict.fromkeys(point.value for point in found))))
     }
     return sorted(found, key=lambda point: order[point.value])
 
 
-def _of_rotations(scene: System, name: str, values: Mapping[str, Any]) -> list[BifurcationPoint]:
+def _of_rotations(scene: System, name: str, values: Mapping[str, Any]) -> list[Mark]:
     """Of a scene without a field."""
     numbers = numbers_of_rotations(scene, values, name)
-    met = places_where_rotations_meet(at_numbers(scene, numbers).body, numbers.get(LENGTH, LENGTH),
-                                      symbol(name))
-    return _by_value([BifurcationPoint(kind, name, value, None, nu, M) for kind, value, nu, M in met])
+    body, radius, free = at_numbers(scene, numbers).body, numbers.get(LENGTH, LENGTH), symbol(name)
+    met = rotations_meet(body, radius, free, rotation_curve(body, radius, free).double)
+    return _by_value([Mark(kind, name, value, nu=nu, momentum=M) for kind, value, nu, M in met])
 
 
 def positive(scene: System, numbers: Point, free: Symbol, value: Expr) -> bool:
@@ -149,17 +106,17 @@ def positive(scene: System, numbers: Point, free: Symbol, value: Expr) -> bool:
     return all(proved_sign(evaluate(m, {**numbers, free: value})) == 1 for m in moments)
 
 
-def _at_poles(scene: System, numbers: Point, free: Symbol, kinds: str) -> Iterator[BifurcationPoint]:
+def _at_poles(scene: System, numbers: Point, free: Symbol, kinds: str) -> Iterator[Mark]:
     for b in bifurcations(scene):
         if b.kind.startswith(kinds):
             placed = insert(scene, b.equations[0], b.at, numbers, {free}, b.kind)
             # U is infinite at the pole: there is no E1 or E2
             if not placed.has(S.ComplexInfinity, S.NaN):
-                yield from (BifurcationPoint(b.kind, free.name, value, b.at)
+                yield from (Mark(b.kind, free.name, value, b.at)
                             for value in real_roots(placed, free) or ())
 
 
-def _meetings(scene: System, numbers: Point, free: Symbol, kinds: str) -> Iterator[BifurcationPoint]:
+def _meetings(scene: System, numbers: Point, free: Symbol, kinds: str) -> Iterator[Mark]:
     motion = reduce(scene)
     relation = relation_at_rate(scene)
     if kinds == ON_LEVEL:
@@ -173,4 +130,4 @@ def _meetings(scene: System, numbers: Point, free: Symbol, kinds: str) -> Iterat
         for place in station.places:
             kind = kind_of(place, kinds) if (station.t, place.x) not in infinite else ""
             if kind and (place.x**2 != 1 or (kinds == AT_RATE and defined(curve, station.t, place.x))):
-                yield BifurcationPoint(kind, free.name, station.t, place.x)
+                yield Mark(kind, free.name, station.t, place.x)

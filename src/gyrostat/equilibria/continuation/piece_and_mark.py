@@ -1,70 +1,145 @@
-"""Parts of the branches of E1, E2 and E3 along a parameter.
-
-Pieces of one verdict, marks between them, and what lies between marks.
-"""
+"""What is found along a name: a Piece of one verdict, a Mark where something happens, a Continuation."""
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 from sympy import Expr
 
+from ..._display import Shown
 from ...algebra.enclosures.floats import Array
+from ...notation import Stored
 from ...stability.decision import Verdict
 
 INFINITE = "U is infinite"
 
 
-@dataclass(eq=False)
+@dataclass(frozen=True, eq=False)
 class Piece:
-    """Part of a branch of one verdict.
+    """Relative equilibria over part of a range, of one verdict.
 
     Parameters
     ----------
     label : str
-        "E1", "E2" or "E3"
-    parameter, k3 : arrays, shape (n,)
+        as of a RelativeEquilibrium
+    parameter : array, shape (n,)
         n = 1: an isolated point
     verdict : Verdict
         exact, between its ends; of E3 modulo the spin
+    k3 : array, shape (n,), or None
+        None of a free body
+    k : array, shape (n, 3), or None
+        of a body in a field that is not of revolution; of a circle of rotations one of them
+    momentum : array, shape (n, 3), or None
+        of a free body: M; of a circle of rotations one of them
+    nu : array, shape (n,), or None
+        of a free body: ω = ν M
+    sigma : array, shape (n,), or None
+        where there is a k: ∇U = omega M + sigma k
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> U = gs.general_potential(lambda k1, k2, k3: k1 + k2 + k3)
+    >>> scene = gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 0)), U)
+    >>> for piece in gs.continuation(scene, "omega", (1, "3/2"), {}).pieces:
+    ...     print(piece.verdict.name, piece.parameter[0], piece.parameter[-1])
+    STABLE 1.0 1.5
+    UNSTABLE 1.0 1.5
     """
 
     label: str
     parameter: Array
-    k3: Array
     verdict: Verdict
+    k3: Array | None = None
+    k: Array | None = None
+    momentum: Array | None = None
+    nu: Array | None = None
+    sigma: Array | None = None
 
-    def extend(self, parameter: Array, k3: Array) -> None:
-        """Go on from where it ends."""
-        self.parameter, self.k3 = np.append(self.parameter, parameter[1:]), np.append(self.k3, k3[1:])
+
+def joined(parts: Sequence[Piece]) -> Piece:
+    """Of pieces that go on from one to the next."""
+    first, *rest = parts
+    arrays = {name: np.concatenate([value, *(getattr(piece, name)[1:] for piece in rest)])
+              for name, value in vars(first).items() if isinstance(value, np.ndarray)}
+    return Piece(first.label, verdict=first.verdict, **arrays)
 
 
-@dataclass(frozen=True)
-class Mark:
-    """A point where branches change.
+@dataclass(frozen=True, repr=False)
+class Mark(Shown, Stored):
+    """A value of the free name at which relative equilibria meet or change, and where.
+
+    Its kind says what happens; where branches meet between the poles "at fixed rate" or "on a level", it
+    starts with "fold", "pitchfork", "crossing" or "isolated". Of permanent rotations it is that of the
+    degenerate one: "fold", "pitchfork", "umbilic" (a fold and a pitchfork in one), "circle leaves an axis" of
+    a body of revolution, "circle at this value alone" or "sphere at this value alone"; and of one in a field
+    whose stability changes and that meets no other "singular form", as where C1 turns along omega, or
+    "frequencies meet".
 
     Parameters
     ----------
     kind : str
-        a kind of BifurcationPoint, or INFINITE
-    value, k3 : Expr
+    name : str
+        the one that is free
+    value : Expr
         exact
-    changes : bool
-        whether stability changes there; where U is infinite it may, with no equilibrium between
+    k3 : Expr or None
+        None of a free gyrostat; as nu, momentum and k exact, but where stability changes without a meeting
+    nu : Expr or None
+        of a free gyrostat: ω = ν M
+    momentum : tuple of Expr, shape (3,), or None
+        of a free gyrostat: M
+    k : tuple of Expr, shape (3,), or None
+        of a body in a field that is not of revolution
+    changes : bool or None
+        whether stability changes along a branch; where U is infinite it may, with no equilibrium between;
+        None where it was not asked, as where rotations meet
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
+    >>> point = gs.bifurcation_points(top, values={"I1": 1, "l": 0, "m0": 1}, name="pi3_0")[0]
+    >>> point.kind, point.value, point.k3
+    ('precessions leave E1', -2, 1)
     """
 
     kind: str
+    name: str
     value: Expr
-    k3: Expr
-    changes: bool
+    k3: Expr | None = None
+    nu: Expr | None = None
+    momentum: tuple[Expr, ...] | None = None
+    k: tuple[Expr, ...] | None = None
+    changes: bool | None = None
 
 
-@dataclass(frozen=True)
-class Span:
-    """What lies between two neighbouring stations.
+@dataclass(frozen=True, eq=False)
+class Continuation:
+    """Relative equilibria over a range of one name, and what happens on them.
 
-    Verdicts of the tilts from below, and of E1 (1) and E2 (−1).
+    Parameters
+    ----------
+    pieces : list of Piece
+        each of one verdict; of permanent rotations none goes on through a value where two of them meet
+    marks : list of Mark
+        every change of stability, every meeting and every end, exact and by value; of a rotation that changes
+        where others meet, or at an end of the range, the meeting alone
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
+    >>> found = gs.continuation(top, "omega", (1, 3), {"I1": 2, "I3": 1, "l": 0, "m0": 1})
+    >>> len(found.pieces) > 2
+    True
+    >>> spun_up = gs.assemble(gs.Gyrostat((1, 2, 3), ("1/20", "1/10", gs.symbol("l3"))))
+    >>> found = gs.continuation(spun_up, "l3", (0, 1), {"M": 1})
+    >>> [(mark.kind, round(float(mark.value), 4)) for mark in found.marks]
+    [('fold', 0.2036)]
+    >>> [piece.verdict.name for piece in found.pieces if piece.parameter[-1] == 1]
+    ['STABLE', 'UNSTABLE', 'STABLE', 'STABLE']
     """
 
-    low: Expr
-    high: Expr
-    tilts: tuple[Verdict, ...]
-    poles: dict[int, Verdict]
+    pieces: list[Piece]
+    marks: list[Mark]

@@ -1,171 +1,196 @@
-"""Followed: the branches of E1, E2 and E3 over a range, station by station, as pieces and marks."""
+"""The branches of E1, E2 and E3 of a body of revolution over a range, at a fixed rotor and rate."""
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from fractions import Fraction
+from functools import cache
 from itertools import pairwise
 from typing import Any
 
 import numpy as np
 from sympy import Expr, S
 
+from ..._cached import cached_property
 from ...algebra.enclosures.balls import ball, fraction_of
 from ...algebra.enclosures.floats import Array
-from ...algebra.solving.stations import Place, Station, beside
+from ...algebra.solving.plane_curves import PlaneCurve
+from ...algebra.solving.roots import real_roots
+from ...algebra.solving.stations import Place, Station, beside, between, critical_points, stations
+from ...errors import ScopeError, ValuesError
+from ...mechanics.equilibrium.reduction import K3
 from ...mechanics.families.named_families import E3, POLES
 from ...mechanics.scenes.system import System
+from ...notation import symbol
 from ...stability.decision import Verdict
+from ..finders.rate_level_tilt import exact_point, names_of
 from ..finders.revolution import critical_tilt, pole_at, revolution_forms
 from .bifurcation_kinds import AT_RATE, defined, kind_of, precessions_leave
-from .piece_and_mark import INFINITE, Mark, Piece, Span
-from .stations_at_rate import Critical
+from .following import Pieces
+from .meeting_equations import insert, relation_at_rate
+from .piece_and_mark import INFINITE, Mark, Piece
+from .stations_at_rate import admissible, changes_at_pole, margin_at_rate, margins_vanish, within
 
 # between two stations; of steps in k3 that are longer
 NODES, HALVINGS, LONGEST = 96, 12, 0.05
 
 
-@dataclass(frozen=True)
-class Followed:
-    """What a continuation is made of."""
+class RevolutionBranches:
+    """The Curve of a body of revolution in a U(k3).
 
-    scene: System
-    values: Mapping[str, Any]
-    parameter: str
-    critical: Critical
-    stations: dict[Expr, Station]
-    spans: list[Span]
+    Between two stations the tilts are simple roots in a fixed order, none ends, and no margin vanishes. At a
+    station the branches that come to a point are those that a box about it holds, on either side.
+    """
 
-    def at(self, t: Expr) -> dict[str, Any]:
-        return {**self.values, self.parameter: t}
+    def __init__(self, scene: System, name: str, low: Expr, high: Expr, values: Mapping[str, Any]):
+        known = names_of(scene) | {"omega"}
+        numbers, free = exact_point(scene, values, known), symbol(name)
+        if name not in known or "omega" not in (name, *values):
+            raise ValuesError(f"E3 is followed at a rate about the vertical, given were {', '.join(values)}, "
+                              f"free is {name}: give omega too, or leave it free; the names are "
+                              f"{', '.join(sorted(known))}")
+        if free in numbers:
+            raise ValuesError(f"{name} is along the axis, and has the value {numbers[free]} too: leave "
+                              "out one of the two")
+        admissible({*scene.body.moments[1:]} | ({free} if free.is_positive else set()), numbers, free, low,
+                   high)
+        self.scene, self.name, self.values = scene, name, values
+        margin, held = margin_at_rate(scene, numbers, free)
+        relation = insert(scene, relation_at_rate(scene), K3, numbers, {free, K3}, E3.label)
+        self.curve = curve = PlaneCurve(relation, K3, free, (margin, held))
+        inside = cache(lambda t: within(t, low, high))
+        meet, margins, infinite = (
+            [point for point in points if inside(point[0])] for points in (
+                critical_points(curve), margins_vanish(curve, margin, held),
+                (point for F in curve.components for pole in curve.poles for point in curve.common(F, pole))))
+        # (value, k3) where the margin of E3 vanishes, or U is infinite
+        self.margins, self.infinite = frozenset(margins), frozenset(infinite)
+        # values at which every tilt is E3, and at which the margin of E1 (1) or E2 (−1) is 0 or infinite
+        self.lines = [t for line in curve.lines
+                      for t in real_roots(curve.ring.expression(line), free) or () if inside(t)]
+        self.poles = {s: [t for t in changes_at_pole(scene, numbers, free, s) if inside(t)] for s in POLES}
+        self.points = [*meet, *margins, *infinite]
 
-    def pole(self, s: int) -> list[Piece]:
-        """E1 or E2, cut where its verdict changes or U is infinite."""
-        found: list[Piece] = []
-        for n, span in enumerate(self.spans):
-            ends = np.array([float(span.low), float(span.high)]), np.full(2, float(s))
-            if n and s in self.spans[n - 1].poles and self.changed(s, span.low) is False:
-                found[-1].extend(*ends)
-            elif s in span.poles:
-                found.append(Piece(POLES[s].label, *ends, span.poles[s]))
-        return found
+    @cached_property
+    def at(self) -> dict[Expr, Station]:
+        """The stations by value."""
+        other = (*self.lines, *self.poles[1], *self.poles[-1])
+        return {station.t: station for station in stations(self.curve, self.points, other)}
 
-    def changed(self, s: int, t: Expr) -> bool | None:
+    @property
+    def stations(self) -> list[Expr]:
+        """The values."""
+        return list(self.at)
+
+    def placed(self, t: Expr | Fraction) -> dict[str, Any]:
+        """All numbers."""
+        return {**self.values, self.name: t}
+
+    def between(self, low: Expr, high: Expr) -> list[Piece]:
+        """The tilts from below, then E1 and E2."""
+        middle = between(low, high)
+        found = revolution_forms(self.scene, self.placed(middle))
+        tilts = [form.known().verdict for form in reversed(found) if form.label == E3.label]
+        if len(tilts) != (count := len(self.curve.roots(middle))):
+            raise ScopeError(f"at {self.name} = {middle} there are {len(tilts)} tilts, and {count} branches "
+                             "were followed: write the numbers as fractions")
+        ends = np.array([float(low), float(high)])
+        return [*(Piece(E3.label, x, verdict, y) for (x, y), verdict in zip(
+                    self.traced(low, high, count), tilts)),
+                *(Piece(family.label, ends, form.known().verdict, np.full(2, float(s)))
+                  for s, family in POLES.items() for form in found if form.label == family.label)]
+
+    def through(self, station: Expr, before: Pieces, after: Pieces) -> Iterator[tuple[int, int]]:
+        """Tilts that come to no point of the station, and E1 and E2 where nothing changes."""
+        sides = []
+        for which, pieces in (("left", before), ("right", after)):
+            held = {n for place in self.at[station].places for n in getattr(place, which)}
+            sides.append([n for n, piece in enumerate(pieces) if piece.label == E3.label and n not in held])
+        if len(sides[0]) == len(sides[1]):
+            yield from zip(*sides)
+        for s, family in POLES.items():
+            if self.changed(s, station, before, after) is False:
+                i, j = ([piece.label for piece in side].index(family.label) for side in (before, after))
+                yield i, j
+
+    def changed(self, s: int, t: Expr, *sides: Pieces | None) -> bool | None:
         """Whether the verdict of E1 or E2 changes at a value, or is another there.
 
         None where U is infinite.
         """
-        verdicts = {span.poles.get(s) for span in self.spans if t in (span.low, span.high)}
-        if t in self.critical.poles[s]:
-            here = pole_at(self.scene, s, self.at(t))
+        verdicts: set[Verdict | None] = {
+            next((piece.verdict for piece in side if piece.label == POLES[s].label), None)
+            for side in sides if side is not None}
+        if t in self.poles[s]:
+            here = pole_at(self.scene, s, self.placed(t))
             verdicts.add(here.known().verdict if here else None)
         return None if None in verdicts else len(verdicts) > 1
 
-    def tilts(self) -> list[Piece]:
-        """E3, each piece from one point where something happens to the next."""
-        found: list[Piece] = []
-        # those that pass the station before without a change, from below
-        going: list[Piece] = []
-        for span in self.spans:
-            pieces = [Piece(E3.label, x, y, verdict)
-                      for (x, y), verdict in zip(self.traced(span), span.tilts)]
-            passing = self.passing(span, span.low)
-            if len(going) == len(passing):
-                for n, piece in zip(passing, going):
-                    if piece.verdict is pieces[n].verdict:
-                        piece.extend(pieces[n].parameter, pieces[n].k3)
-                        pieces[n] = piece
-            found += [piece for piece in pieces if all(piece is not other for other in going)]
-            going = [pieces[n] for n in self.passing(span, span.high)]
-        return found
-
-    def passing(self, span: Span, t: Expr) -> list[int]:
-        """Which tilts of a span do not come to a point of the station at one of its ends."""
-        station = self.stations.get(t)
-        held = (
-            {n for place in station.places for n in (place.right if t is span.low else place.left)}
-            if station
-            else set()
-        )
-        return [n for n in range(len(span.tilts)) if n not in held]
-
-    def traced(self, span: Span) -> list[tuple[Array, Array]]:
-        """The tilts of a span, each with its ends."""
-        a, b, count = float(span.low), float(span.high), len(span.tilts)
+    def traced(self, low: Expr, high: Expr, count: int) -> list[tuple[Array, Array]]:
+        """The tilts between two stations, each with its ends."""
+        a, b = float(low), float(high)
         if not count:
             return []
-        first, last = (fraction_of(ball(t, 128).mid()) for t in (span.low, span.high))
+        first, last = (fraction_of(ball(t, 128).mid()) for t in (low, high))
         small = (last - first) / 2**40
         nodes = [Fraction(x) for x in ((a + b) / 2 - (b - a) / 2
                                        * np.cos(np.pi * np.arange(1, NODES) / NODES)).tolist()]
         nodes = [x for x in nodes if first + small < x < last - small]
-        at = {x: [float(root.mid()) for root in self.critical.curve.roots(x, count)] for x in nodes}
+        at = {x: [float(root.mid()) for root in self.curve.roots(x, count)] for x in nodes}
         for _ in range(HALVINGS):                          # where a branch is steep
             steep = [(x, y) for x, y in pairwise(sorted(at))
                      if np.max(np.abs(np.subtract(at[x], at[y]))) > LONGEST]
-            at |= {x: [float(root.mid()) for root in self.critical.curve.roots(x, count)]
+            at |= {x: [float(root.mid()) for root in self.curve.roots(x, count)]
                    for x in ((x + y) / 2 for x, y in steep)}
-        k3 = np.array([self.limits(span, span.low), *(at[x] for x in sorted(at)),
-                       self.limits(span, span.high)])
+        step = fraction_of(ball(high - low, 64).mid()) / 2**60
+        k3 = np.array([self.limits(low, beside(low, step)[1], count, "right"), *(at[x] for x in sorted(at)),
+                       self.limits(high, beside(high, step)[0], count, "left")])
         x = np.array([a, *map(float, sorted(at)), b])
         return [(x, k3[:, n]) for n in range(count)]
 
-    def limits(self, span: Span, t: Expr) -> list[float]:
-        """Where the tilts of a span come to at one of its ends."""
-        station, count = self.stations.get(t), len(span.tilts)
-        near = beside(t, (fraction_of(ball(span.high - span.low, 64).mid()))
-                      / 2**60)[0 if t is span.high else 1]
-        limits = [float(root.mid()) for root in self.critical.curve.roots(near, count)]
-        for place in station.places if station else ():
-            for n in place.right if t is span.low else place.left:
+    def limits(self, t: Expr, near: Fraction, count: int, side: str) -> list[float]:
+        """Where the tilts on one side of a value come to."""
+        limits = [float(root.mid()) for root in self.curve.roots(near, count)]
+        for place in self.at[t].places if t in self.at else ():
+            for n in getattr(place, side):
                 limits[n] = float(place.x)
         return limits
 
-    def lines(self) -> list[Piece]:
-        """Every tilt at one value."""
-        found = []
-        for t in self.critical.lines:
-            for form in revolution_forms(self.scene, self.at(t)):
+    def alone(self, station: Expr) -> Iterator[Piece]:
+        """Every tilt at one value, and single ones."""
+        if station in self.lines:
+            for form in revolution_forms(self.scene, self.placed(station)):
                 if form.label == E3.label and form.every:
-                    found.append(Piece(E3.label, np.full(2, float(t)), np.array([-1.0, 1.0]),
-                                       form.known().verdict))
-        return found
+                    yield Piece(E3.label, np.full(2, float(station)), form.known().verdict,
+                                np.array([-1.0, 1.0]))
+        for place in self.at[station].places:
+            if (place.x**2 != 1 and not place.left and not place.right
+                    and (station, place.x) not in self.infinite):
+                yield Piece(E3.label, np.array([float(station)]), self.verdict(station, place, []),
+                            np.array([float(place.x)]))
 
-    def isolated(self) -> list[Piece]:
-        """Tilts at one value, without others beside them."""
-        return [Piece(E3.label, np.array([float(station.t)]), np.array([float(place.x)]),
-                      self.verdict(station, place))
-                for station in self.stations.values() for place in station.places
-                if place.x**2 != 1 and not place.left and not place.right
-                and (station.t, place.x) not in self.critical.infinite]
-
-    def verdict(self, station: Station, place: Place) -> Verdict:
+    def verdict(self, t: Expr, place: Place, beside_it: list[Verdict]) -> Verdict:
         """Of E3 at a place."""
-        if (station.t, place.x) in self.critical.margins:
-            return critical_tilt(self.scene, place.x, self.at(station.t))
-        if sides := self.sides(station, place):
-            return sides[0]
-        alone = [form for form in revolution_forms(self.scene, self.at(station.t))
-                 if not form.every]
+        if (t, place.x) in self.margins:
+            return critical_tilt(self.scene, place.x, self.placed(t))
+        if beside_it:
+            return beside_it[0]
+        alone = [form for form in revolution_forms(self.scene, self.placed(t)) if not form.every]
         return min(alone, key=lambda form: abs(float(form.k3 - place.x))).known().verdict
 
-    def sides(self, station: Station, place: Place) -> list[Verdict]:
-        """Verdicts of the branches that come to a place."""
-        return [span.tilts[n] for span in self.spans for n in (
-            place.right if station.t == span.low else place.left if station.t == span.high else ())]
-
-    def marks(self, station: Station) -> Iterator[Mark]:
-        """What happens at a station."""
+    def marks(self, station: Expr, before: Pieces | None, after: Pieces | None) -> Iterator[Mark]:
+        """Of E1 and E2, then of the tilts."""
         for s, family in POLES.items():
-            if station.t in self.critical.poles[s] and (changed := self.changed(s, station.t)) is not False:
-                yield Mark(INFINITE if changed is None else precessions_leave(family), station.t, S(s),
-                           changed is not None)
-        for place in station.places:
-            point, several = (station.t, place.x), bool(place.left or place.right)
-            if point in self.critical.infinite or (place.x**2 == 1
-                                                   and not defined(self.critical.curve, *point)):
+            if station in self.poles[s] and (
+                    changed := self.changed(s, station, before, after)) is not False:
+                kind = INFINITE if changed is None else precessions_leave(family)
+                yield Mark(kind, self.name, station, S(s), changes=changed is not None)
+        for place in self.at[station].places:
+            point, several = (station, place.x), bool(place.left or place.right)
+            if point in self.infinite or (place.x**2 == 1 and not defined(self.curve, *point)):
                 if several:
-                    yield Mark(INFINITE, *point, False)
+                    yield Mark(INFINITE, self.name, *point, changes=False)
                 continue
-            if (place.x**2 == 1 or point in self.critical.curve.double) and (kind := kind_of(place, AT_RATE)):
-                yield Mark(kind, *point, False)
-            if place.x**2 != 1 and len({*self.sides(station, place), self.verdict(station, place)}) > 1:
-                yield Mark("fold on a level", *point, True)
+            if (place.x**2 == 1 or point in self.curve.double) and (kind := kind_of(place, AT_RATE)):
+                yield Mark(kind, self.name, *point, changes=False)
+            beside_it = [side[n].verdict for side, ns in ((before, place.left), (after, place.right))
+                         if side is not None for n in ns]
+            if place.x**2 != 1 and len({*beside_it, self.verdict(station, place, beside_it)}) > 1:
+                yield Mark("fold on a level", self.name, *point, changes=True)

@@ -105,7 +105,7 @@ class HeavyForm(Form):
 
     def invariants(self, precision: int | None) -> Invariants:
         """Trace and determinant of the second variation across k; λ⁴ + p λ² + q."""
-        k, data, omega = (self.k, self._data, self.omega) if precision is None else self._balls(precision)
+        k, data, omega = (self.k, self._data, self.omega) if precision is None else self.in_balls(precision)
         trace, determinant, p, q = amended_form(*data, k, omega)
         return Invariants((trace, determinant), (1, p, q))
 
@@ -113,7 +113,7 @@ class HeavyForm(Form):
     def _data(self) -> Data:
         return data_at(self.scene, self.k)
 
-    def _balls(self, precision: int) -> tuple[list[Any], Data, Any]:
+    def in_balls(self, precision: int) -> tuple[list[Any], Data, Any]:
         """k, what is of the scene there, and omega."""
         inertia, rotor, gradient, curved = self._data
         rows = [[[ball(e, precision) for e in row] for row in matrix] for matrix in (inertia, curved)]
@@ -153,7 +153,7 @@ class HeavyForm(Form):
         With M × k = 0 the torque is 0 too, ∇U × k = omega M × k.
         """
         with own_precision(PRECISION):
-            k, (inertia, rotor, gradient, curved), omega = self._balls(PRECISION)
+            k, (inertia, rotor, gradient, curved), omega = self.in_balls(PRECISION)
             if not all(x.contains(0) for x in unreached(inertia, rotor, gradient, curved, k, omega)):
                 return True
         return any(proved_sign(evaluate(x, {})) for x in unreached(*self._data, self.k, self.omega))

@@ -12,7 +12,7 @@ from ...algebra.rings.readable import readable
 from ...algebra.rings.subexpressions import occurring
 from ...equilibria.continuation.bifurcation_kinds import KINDS
 from ...equilibria.continuation.meeting_equations import Bifurcation
-from ...equilibria.continuation.meeting_values import BifurcationPoint
+from ...equilibria.continuation.piece_and_mark import Mark
 from ...equilibria.curves.amended_potential import AmendedPotential, CriticalPoint
 from ...equilibria.curves.gyrostat_arcs import GyrostatArc
 from ...equilibria.curves.staude import StaudeCone
@@ -188,7 +188,7 @@ def _bifurcation(b: Bifurcation) -> list[Block]:
 
 
 @result_blocks.register
-def _point(point: BifurcationPoint) -> list[Block]:
+def _mark(point: Mark) -> list[Block]:
     free = symbol(point.name)
     where = ((free, point.value), (symbol("k3"), point.k3), (letter(letters_in([free]), "nu"), point.nu))
     places = [(name, number(value)) for name, value in where if value is not None]
@@ -213,4 +213,4 @@ _OF_TYPE: dict[type, Callable[[Any], list[Block]]] = {
 for _type, _blocks in _OF_TYPE.items():
     result_blocks.register(_type, _blocks)
 
-RESULTS = (*_OF_TYPE, Solution, Bifurcation, BifurcationPoint, Boundary, Reduction)
+RESULTS = (*_OF_TYPE, Solution, Bifurcation, Mark, Boundary, Reduction)
