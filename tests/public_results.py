@@ -69,7 +69,8 @@ def results():
     window = gs.analyze(gs.upright(gs.assemble(gs.Gyrostat((5, 4, 3), (0, 0, 0)),
                                                gs.general_potential(lambda k1, k2, k3: k3)))).window()
     found = {
-        "AmendedPotential": gs.amended_potential(k.gyrostat), "Bifurcation": gs.bifurcations(k.top)[0],
+        "AmendedPotential": gs.amended_potential(k.gyrostat), "Arc": gs.staude_cone(k.gyrostat).arcs({})[4],
+        "Bifurcation": gs.bifurcations(k.top)[0],
         "BifurcationPoint": gs.bifurcation_points(k.top, "pi3_0", {"I1": 1, "l": 0, "m0": 1})[0],
         "Case": first.cases[0],
         "Condition": k.report.sufficient.alternatives[0][0],
@@ -77,7 +78,7 @@ def results():
         "CoupledPotential": gs.circular_orbit(), "Criterion": k.report.sufficient,
         "CriticalPoint": gs.amended_potential(k.heavy).critical_points({"C1": 0})[0],
         "Decision": k.report.verdict({"I1": 1, "l": 0, "m0": 1, "pi3_0": 3}), "Equilibrium": k.upright,
-        "Gyrostat": k.free.body, "GyrostatArc": gs.staude_cone(k.gyrostat).arcs({})[4],
+        "Gyrostat": k.free.body,
         "HeavyContinuation": gs.continuation(k.heavy, "omega", (1, 2), {}),
         "Interval": first.cases[0].intervals[0], "LiePoisson": k.top.space,
         "Linearization": gs.derivation.linearize(k.upright), "NormalForm": gs.analyze(spin).normal_form({}),
@@ -86,7 +87,7 @@ def results():
         "Rotor": k.wheel, "SecondVariation": gs.derivation.second_variation(k.upright), "Solution": solution,
         "SolvedCondition": first, "System": k.top,
         "Spectrum": gs.spectrum(hanging, "pi3_0", (0, 1), {"I1": 1, "I3": 1, "l": 0, "m0": 1}),
-        "StaudeArc": gs.staude_cone(k.heavy).arcs({})[0], "StaudeCone": gs.staude_cone(k.heavy),
+        "StaudeCone": gs.staude_cone(k.heavy),
         "Window": window, "charts.BoxDecision": boundary,
         "charts.CertifiedChart": gs.charts.certified_chart(k.report, region, resolution="1/64"),
         "charts.CompiledMargin": gs.charts.compile_margin(k.report.sufficient.alternatives[0][0]),

@@ -21,7 +21,7 @@ from ...notation import Stored
 from ..criteria.numbers_asked import refuse_any_direction
 from .d4_by_averages import averages
 from .local_motion import LocalMotion, motion_along
-from .windows import ROUGH, resonance_margin
+from .windows import ROUGH, resonance_margins
 
 DEGREE, MOST = 4, 3                                        # of U; names where h3 is not 0
 
@@ -83,7 +83,7 @@ class _Held(NamedTuple):
     @property
     def resonances(self) -> list[tuple[int, int, RationalFunction]]:
         """m, n and what is 0 where the frequencies are as m to n."""
-        return [(m, n, resonance_margin(self.p, self.q, m, n)) for m, n in ((1, 2), (1, 3))]
+        return resonance_margins(self.p, self.q)
 
 
 def window_of(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> Window:
