@@ -12,7 +12,7 @@ from sympy import Expr, Mul, Symbol, oo
 from ..algebra.enclosures.balls import ball
 from ..algebra.reals.exact import Point, evaluate, is_identically_zero, proved_sign, sign_of_constant
 from ..algebra.rings.polynomials import Ring
-from ..algebra.solving.roots import between, real_roots
+from ..algebra.solving.roots import between, inside, real_roots
 from ..errors import ScopeError
 from ..mechanics.families.orbital_precession import moving_axis
 from ..stability.decision import Decision, Verdict
@@ -49,10 +49,10 @@ def cut(report: Report, x: Symbol, numbers: Point, low: Expr | None, high: Expr 
         if decision is None or not decision.pointwise:
             cells.append((a, b, _stable(decision)))
             continue
-        if (inside := windows()) is None:
+        if (cuts := windows()) is None:
             cells.append((a, b, None))
         else:
-            cells += _window(report, x, numbers, [a, *(c for c in inside if _lies(c, a, b)), b])
+            cells += _window(report, x, numbers, [a, *inside(cuts, a, b), b])
     return cells
 
 
@@ -78,10 +78,6 @@ def _window(report: Report, x: Symbol, numbers: Point, bounds: Sequence[Expr]) -
         if n:
             yield a, a, stable_at(report, x, a, numbers)
         yield a, b, stable_at(report, x, between(a, b), numbers)
-
-
-def _lies(x: Expr, low: Expr, high: Expr) -> bool:
-    return (low == -oo or proved_sign(x - low) == 1) and (high == oo or proved_sign(high - x) == 1)
 
 
 def _numerators(expression: Expr, x: Symbol) -> list[Expr]:

@@ -1,7 +1,6 @@
 """The arcs of permanent rotations in doubles: k, omega and sigma along them."""
 from collections.abc import Callable
 from fractions import Fraction
-from typing import NamedTuple
 
 import numpy as np
 from sympy import Expr, oo
@@ -12,31 +11,23 @@ from ..equilibria.curves.arc import Arc, Piece
 ROUNDS, FIRST = 12, 33                                 # halvings; values of the parameter at first
 
 
-class Points(NamedTuple):
-    """Permanent rotations: k of shape (n, 3), omega, and sigma of ∇U = omega² Ik + omega l + sigma k."""
-
-    k: Array
-    omega: Array
-    sigma: Array
-
-
 def moves(arc: Arc) -> bool:
     """Whether the direction changes along an arc."""
     return sum(x != 0 for x in arc.k) > 1
 
 
-def along(arc: Arc, values: Array) -> Points:
-    """At values of the parameter; without a rotor those of positive omega."""
+def along(arc: Arc, values: Array) -> tuple[Array, Array, Array]:
+    """k of shape (n, 3), omega and sigma at values of the parameter; without a rotor omega is positive."""
     near = [arc.near(Fraction(x)) for x in values.tolist()]
     k, omega, sigma = map(np.array, zip(*near)) if near else (np.zeros((0, 3)), values, values)
-    return Points(k, omega, sigma)
+    return k, omega, sigma
 
 
 def directions(arc: Arc, piece: Piece, step: float) -> Array:
     """k along a piece, its ends with it, none further from the next than a step; shape (n, 3)."""
-    first, last = (floats(end.k) if at == own else along(arc, np.array([float(at)])).k[0]
+    first, last = (floats(end.k) if at == own else along(arc, np.array([float(at)]))[0][0]
                    for end, at, own in zip(arc.ends, (piece.low, piece.high), (arc.low, arc.high)))
-    return halved(lambda t: along(arc, placed(arc, piece, t)).k, first, last, step)
+    return halved(lambda t: along(arc, placed(arc, piece, t))[0], first, last, step)
 
 
 def halved(place: Callable[[Array], Array], first: Array, last: Array, step: float) -> Array:

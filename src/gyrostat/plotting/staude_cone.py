@@ -92,7 +92,7 @@ def draw_staude_cone(scene: System, values: Mapping[str, Any] | None = None, ax:
             curve_on(ax, curve, eye, **style)
         handles += [named(style, verdict.name.lower())] if own else []
     handles += [named(OPPOSITE, "no rotation")] if opposite else []
-    changes = [along(arc, np.array([float(x)])).k[0] for arc in moving for x in arc.boundaries]
+    changes = [along(arc, np.array([float(x)]))[0][0] for arc in moving for x in arc.boundaries]
     folds = [floats(end.k) for arc in moving for end in arc.ends if end.omega not in (0, oo, -oo)]
     rest = [floats(end.k) for arc in moving for end in arc.ends if end.omega == 0]
     rest += [floats(arc.rotation(S.Zero).directions[0]) for arc in moving if not arc.both_ways

@@ -54,19 +54,15 @@ def _along(arc: Arc) -> dict[str, Any]:
 def arcs_data(arcs: Sequence[Arc]) -> dict[str, Any]:
     """The arcs as data for JSON; of an infinite number the decimal is none."""
     note = scene_note(arcs[0].scene, {})
-    return {"arcs": [{
-        "parameter": str(arc.parameter), "low": number_data(arc.low), "high": number_data(arc.high),
-        **_along(arc),
-        "ends": [{"k": [number_data(x) for x in end.k], "omega": number_data(end.omega)} for end in arc.ends],
-        "pieces": [{"low": number_data(piece.low), "high": number_data(piece.high),
-                    "decision": decision_data(replace(piece.decision, note=""))} for piece in arc.pieces]}
-        | _circles(arc) for arc in arcs]} | ({"note": note} if note else {})
+    return {"arcs": list(map(_arc, arcs))} | ({"note": note} if note else {})
 
 
-def _circles(arc: Arc) -> dict[str, Any]:
-    """Those that an arc crosses, if any."""
-    if not arc.circles:
-        return {}
-    return {"circles": [{"k": [number_data(x) for x in circle.directions[0]],
-                         "omega": number_data(circle.rates["omega"]),
-                         "locus": circle.locus} for circle in arc.circles]}
+def _arc(arc: Arc) -> dict[str, Any]:
+    """With the circles that it crosses, if any."""
+    ends = [{"k": list(map(number_data, end.k)), "omega": number_data(end.omega)} for end in arc.ends]
+    pieces = [{"low": number_data(piece.low), "high": number_data(piece.high),
+               "decision": decision_data(replace(piece.decision, note=""))} for piece in arc.pieces]
+    circles = [{"k": list(map(number_data, circle.directions[0])),
+                "omega": number_data(circle.rates["omega"]), "locus": circle.locus} for circle in arc.circles]
+    return {"parameter": str(arc.parameter), "low": number_data(arc.low), "high": number_data(arc.high),
+            **_along(arc), "ends": ends, "pieces": pieces} | ({"circles": circles} if circles else {})

@@ -1,24 +1,23 @@
 """An admissible arc of Staude's cone, or of the curve of a gyrostat: cut, decided and named in one way."""
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction
 from itertools import pairwise
 from typing import Any, NamedTuple
 
-from sympy import Expr, Rational, Symbol, oo
+from sympy import Expr, Rational, Symbol
 
 from ..._cached import cached_property
 from ..._display import Shown
-from ...algebra.reals.exact import proved_sign
 from ...algebra.solving.plane_branches import Span, Strand
-from ...algebra.solving.roots import between
+from ...algebra.solving.roots import between, inside
 from ...algebra.text.numbers import exact_number
 from ...arguments import checked
 from ...errors import ValuesError
 from ...mechanics.scenes.system import System
 from ...notation import Stored
 from ...stability.decision import Decision
-from ...stability.normal_forms.windows import between_cuts, left_open
+from ...stability.normal_forms.windows import between_cuts
 from ...stability.spectrum import Signs
 from ..finders.heavy import OMEGA
 from ..relative_equilibrium import RelativeEquilibrium
@@ -140,7 +139,7 @@ class Arc(Shown, Stored):
     def _span(self, at: Expr) -> Span:
         """In which a value lies, or at whose end, inside the arc."""
         for span in self.strand.spans:
-            if _lies(at, span.low, span.high) or at == span.high != self.high:
+            if inside([at], span.low, span.high) or at == span.high != self.high:
                 return span
         raise ValuesError(f"{self.parameter} = {at}, and the arc goes from {self.low.evalf(6)} to "
                           f"{self.high.evalf(6)}: give a number between")
@@ -148,9 +147,8 @@ class Arc(Shown, Stored):
     @cached_property
     def circles(self) -> tuple[RelativeEquilibrium, ...]:
         """Where it crosses a circle of rotations of one rate: of a body with equal moments, with a rotor."""
-        met = [self.curve.at(span, span.high) for span in self.strand.spans[:-1]
-               if span.high in self.curve.through]
-        return tuple(RelativeEquilibrium(form) for form in met if form.circle is not None)
+        return tuple(RelativeEquilibrium(form) for span in self.strand.spans[:-1] if span.high in
+                     self.curve.through and (form := self.curve.at(span, span.high)).circle is not None)
 
     @cached_property
     def ends(self) -> tuple[End, End]:
@@ -165,7 +163,7 @@ class Arc(Shown, Stored):
     @cached_property
     def folds(self) -> tuple[Expr, ...]:
         """Where omega is greatest or least inside the arc: two rotations become one; with a rotor it ends."""
-        return tuple(_inside(self.curve.folds, self.low, self.high))
+        return tuple(inside(self.curve.folds, self.low, self.high))
 
     @cached_property
     def boundaries(self) -> tuple[Expr, ...]:
@@ -192,30 +190,21 @@ class Arc(Shown, Stored):
     def _stretches(self) -> Iterator[tuple[Expr, Expr, Decision, Signs]]:
         """Between values at which something may change: what is decided, and in windows resonance signs."""
         for span in self.strand.spans:
-            inside = _inside(self.curve.critical, span.low, span.high)
-            for low, high in pairwise([span.low, *inside, span.high]):
+            critical = inside(self.curve.critical, span.low, span.high)
+            for low, high in pairwise([span.low, *critical, span.high]):
                 decision = RelativeEquilibrium(self.curve.at(span, between(low, high))).decision
-                if not decision.pointwise:
-                    yield low, high, decision, ()
-                elif self.curve.cuts is None:
-                    yield low, high, left_open(decision), ()
+                if decision.pointwise:
+                    yield from self._window(span, low, high)
                 else:
-                    yield from self._window(span, [low, *_inside(self.curve.cuts, low, high), high])
+                    yield low, high, decision, ()
 
-    def _window(self, span: Span, places: Sequence[Expr]) -> Iterator[tuple[Expr, Expr, Decision, Signs]]:
+    def _window(self, span: Span, low: Expr, high: Expr) -> Iterator[tuple[Expr, Expr, Decision, Signs]]:
         """What gyroscopic forces hold, between cuts; decided once between resonances, and zeros of D4."""
         signs: Signs = ()
-        for low, high in pairwise(places):
-            form = self.curve.at(span, between(low, high))
-            if self.curve.twists or form.resonance_signs != signs:
+        cuts, twists = self.curve.cuts
+        for a, b in pairwise([low, *inside(cuts, low, high), high]):
+            form = self.curve.at(span, between(a, b))
+            if twists or form.resonance_signs != signs:
                 signs = form.resonance_signs
-                decision = between_cuts(RelativeEquilibrium(form).decision, self.curve.twists)
-            yield low, high, decision, signs
-
-
-def _inside(values: Sequence[Expr], low: Expr, high: Expr) -> list[Expr]:
-    return [x for x in values if _lies(x, low, high)]
-
-
-def _lies(x: Expr, low: Expr, high: Expr) -> bool:
-    return (low == -oo or proved_sign(x - low) == 1) and (high == oo or proved_sign(high - x) == 1)
+                decision = between_cuts(RelativeEquilibrium(form).decision, twists)
+            yield a, b, decision, signs

@@ -6,7 +6,7 @@ from itertools import pairwise
 from typing import NamedTuple
 
 from flint import arb
-from sympy import Add, Expr, Rational, S, Symbol, oo, sqrt, zeros
+from sympy import Expr, Rational, S, Symbol, oo, sqrt, zeros
 
 from ..._cached import cached_property
 from ...algebra.enclosures.balls import ball
@@ -16,7 +16,7 @@ from ...algebra.solving.plane_branches import Span, Strand
 from ...algebra.solving.roots import in_order, real_roots
 from ...mechanics.scenes.system import System
 from ...notation import Stored, symbol
-from ...stability.criteria.amended_form import amended_form
+from ...stability.criteria.amended_form import amended_form, dot
 from ...stability.normal_forms.d4_along_family import cuts_in_windows
 from ...stability.normal_forms.local_motion import LocalMotion
 from ..finders.heavy import OMEGA
@@ -64,7 +64,6 @@ class ConeCurve(Stored):
     parameter: Symbol
     n: tuple[Expr, ...]
     tau: Expr
-    twists = True
     through = ()
 
     @property
@@ -75,12 +74,12 @@ class ConeCurve(Stored):
     @cached_property
     def omega_squared(self) -> Expr:
         """abs(n), in the parameter [1/T²]."""
-        return sqrt(_squared(self.n))
+        return sqrt(dot(self.n, self.n))
 
     def at(self, span: Span, value: Expr) -> HeavyForm:
         """That of positive rate."""
         n = [evaluate(x, {self.parameter: value}) for x in self.n]
-        length = sqrt(_squared(n))
+        length = sqrt(dot(n, n))
         return HeavyForm(self.scene, tuple(evaluate(x / length, {}) for x in n), sqrt(length))
 
     def near(self, span: Span, value: Fraction) -> Near:
@@ -101,12 +100,12 @@ class ConeCurve(Stored):
             along = [-side * x for x in c]
         else:
             along = [side * x if m == -at else S.Zero for x, m in zip(c, self.scene.body.moments)]
-        return End(tuple(x / sqrt(_squared(along)) for x in along), S.Zero if far else oo)
+        return End(tuple(x / sqrt(dot(along, along)) for x in along), S.Zero if far else oo)
 
     @cached_property
     def folds(self) -> list[Expr]:
         """Where omega is greatest or least, exact."""
-        return real_roots(_squared(self.n).diff(self.parameter), self.parameter) or []
+        return real_roots(dot(self.n, self.n).diff(self.parameter), self.parameter) or []
 
     @cached_property
     def critical(self) -> list[Expr]:
@@ -115,15 +114,15 @@ class ConeCurve(Stored):
         They are powers of omega times rational functions of the parameter, so that no zero is missed.
         """
         body, x = self.scene.body, self.parameter
-        scale = _squared(self.n)
+        scale = dot(self.n, self.n)
         gradient = [evaluate((m + self.tau / scale) * y, {}) for m, y in zip(body.moments, self.n)]
         form = amended_form(body.tensor.tolist(), (S.Zero,) * 3, gradient, zeros(3).tolist(), self.n, S.One)
         margins = form.determinant, form.p, form.p**2 - 4 * form.q
         return in_order(list({root for margin in margins for root in real_roots(margin, x) or ()}))
 
     @cached_property
-    def cuts(self) -> list[Expr] | None:
-        """Where D4 or the margin of a resonance vanishes, in order, if the numbers are rational.
+    def cuts(self) -> tuple[list[Expr], bool | None]:
+        """Where D4 or the margin of a resonance vanishes, in order; and True, None at irrational numbers.
 
         With k and M times n/k, which is abs(n), and its square root, h is rational in the parameter.
         """
@@ -131,8 +130,9 @@ class ConeCurve(Stored):
         assert U is not None
         M = tuple(m * y for m, y in zip(self.scene.body.moments, self.n))
         motion = LocalMotion(tuple(map(tuple, self.scene.body.inverse.tolist())), (S.Zero,) * 3, self.n, M,
-                             U.expression, lambda: (S.Zero, S.Zero), _squared(self.n))
-        return cuts_in_windows(motion, self.parameter, None, None)
+                             U.expression, lambda: (S.Zero, S.Zero), dot(self.n, self.n))
+        found = cuts_in_windows(motion, self.parameter, None, None)
+        return ([], None) if found is None else (found, True)
 
 
 def cone_curves(scene: System, c: Sequence[Expr]) -> Iterator[tuple[ConeCurve, Strand]]:
@@ -149,7 +149,3 @@ def cone_curves(scene: System, c: Sequence[Expr]) -> Iterator[tuple[ConeCurve, S
             beside = tuple(RHO if m == i else S.Zero if none[m] else c[m] / (moments[m] - moments[i])
                            for m in range(3))
             yield ConeCurve(scene, RHO, beside, -moments[i]), Strand((Span(-oo, oo, 0),), None, None)
-
-
-def _squared(v: Sequence[Expr]) -> Expr:
-    return Add(*(x**2 for x in v))

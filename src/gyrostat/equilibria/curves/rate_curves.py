@@ -2,6 +2,7 @@
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from functools import lru_cache
 
 from sympy import Add, Expr, Mul, Rational, S, Symbol, oo, sqrt
 
@@ -57,7 +58,7 @@ class RateCurve(Stored):
     k: tuple[Expr, ...]
     through: tuple[Expr, ...] = ()
     parameter, omega_squared = OMEGA, OMEGA**2
-    twists, folds = False, ()
+    folds = ()
 
     @cached_property
     def plane(self) -> PlaneCurve:
@@ -75,8 +76,8 @@ class RateCurve(Stored):
         if not isinstance(value, Rational):
             raise ValuesError(f"omega = {value}: give a rational rate, at which the rotation is found "
                               "exactly")
-        roots = real_roots(evaluate(self.equation, {OMEGA: value}), self.unknown) or []
-        return HeavyForm(self.scene, self.directed(value, roots[span.place]), value)
+        root = _roots(self.equation, self.unknown, value)[span.place]
+        return HeavyForm(self.scene, self.directed(value, root), value)
 
     def _among_others(self, span: Span) -> HeavyForm:
         """Where roots meet: two rotations of one sigma have k_i of two signs, each that of its branch."""
@@ -151,10 +152,10 @@ class RateCurve(Stored):
         return in_order(list({S.Zero: None} | self._zeros(form.form[-1], conditions(form.spectrum)[-1])))
 
     @cached_property
-    def cuts(self) -> list[Expr]:
-        """Every omega at which a resonance holds on the curve, among others."""
+    def cuts(self) -> tuple[list[Expr], bool | None]:
+        """Every omega at which a resonance holds on the curve, among others; and False, as D4 is left."""
         _, p, q = self._form.spectrum
-        return in_order(list(self._zeros(*(at for _, _, at in resonance_margins(p, q)))))
+        return in_order(list(self._zeros(*(at for _, _, at in resonance_margins(p, q))))), False
 
     @cached_property
     def _form(self) -> Invariants:
@@ -172,6 +173,12 @@ class RateCurve(Stored):
             part = curve.whole / curve.whole.gcd(top)
             found |= dict.fromkeys(real_roots(curve.ring.expression(part.resultant(top, name)), OMEGA) or ())
         return found
+
+
+@lru_cache(maxsize=64)
+def _roots(equation: Expr, unknown: Symbol, omega: Expr) -> list[Expr]:
+    """Of an equation at a rate, in increasing order; each branch asks for them."""
+    return real_roots(evaluate(equation, {OMEGA: omega}), unknown) or []
 
 
 def rate_curves(scene: System, c: Sequence[Expr]) -> Iterator[tuple[RateCurve, Strand]]:

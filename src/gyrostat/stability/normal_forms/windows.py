@@ -31,19 +31,14 @@ LOWEST: dict[tuple[int, int], Callable[[LocalMotion], Decision]] = {
     (1, 1): second_order_resonance, (1, 2): third_order_resonance, (1, 3): fourth_order_resonance}
 
 
-def left_open(decision: Decision) -> Decision:
-    """What a decision at one point of a window says of all where its resonances are not known."""
-    return replace(HELD, note=decision.note)
-
-
-def between_cuts(decision: Decision, twists: bool) -> Decision:
+def between_cuts(decision: Decision, twists: bool | None) -> Decision:
     """What a decision at one point of a window says of all between two of its resonances.
 
     If the window is cut at the zeros of D4, too, it says so of each point. If not, of all but single ones: D4
-    is analytic along the window, and not 0 at that point.
+    is analytic along the window, and not 0 at that point. If resonances are not known, twists None, of none.
     """
-    if decision.rung not in (Rung.TWIST_POSITIVE, Rung.TWIST_NEGATIVE):
-        return left_open(decision)
+    if twists is None or decision.rung not in (Rung.TWIST_POSITIVE, Rung.TWIST_NEGATIVE):
+        return replace(HELD, note=decision.note)
     rung, but = (decision.rung, "") if twists else (Rung.TWIST, ", but for single points")
     return replace(decision, pointwise=False, rung=rung, reason="the amended potential has a maximum, held "
                    f"by gyroscopic forces; D4 is not 0, no resonance to order 4{but} (Arnold)")
