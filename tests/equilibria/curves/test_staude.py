@@ -192,7 +192,10 @@ def test_what_is_refused():
         gs.staude_cone(scene).arcs({})
     with pytest.raises(ValuesError, match="m1"):
         gs.staude_cone(scene).arcs({"m0": 1, "m1": 2})
-    assert len(gs.staude_cone(scene).arcs({"m0": 1})) == 4
+    arcs = gs.staude_cone(scene).arcs({"m0": 1})
+    assert len(arcs) == 4
+    with pytest.raises(ValuesError, match="tau = -2, and the arc goes from -oo to -2.*give a number between"):
+        arcs[0].rotation(-2)
 
 
 def test_a_sphere_with_a_rotor_is_refused():
