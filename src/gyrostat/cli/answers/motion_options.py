@@ -15,7 +15,7 @@ from ...mechanics.scenes.system import System, at_numbers
 from ...notation import symbol
 from ...trajectories import Motion, motion
 from ..options.options import LONGEST, numbers_of
-from ..options.scene_texts import entries, one_for_each, pointing_of, whole_scene
+from ..options.scene_texts import one_for_each, pointing_of, whole_scene
 
 LATEST = 10**300                                       # a time that is a double
 
@@ -43,7 +43,7 @@ def _state(given: argparse.Namespace, scene: System, numbers: Mapping[str, Expr]
         raise ValuesError("--release is of a satellite in orbit, and this body is in none: add --orbit, or "
                           "give a --state")
     here = at_numbers(scene, {symbol(name): x for name, x in numbers.items()})
-    return release(here, entries(given.release), pointing_of(given.pointing))
+    return release(here, given.release.split(","), pointing_of(given.pointing))
 
 
 def times_of(given: argparse.Namespace, count: int) -> Array:

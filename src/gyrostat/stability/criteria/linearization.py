@@ -216,6 +216,4 @@ def square_root(expression: Expr) -> Expr:
 def rational_root(expression: Expr) -> Expr | None:
     """r with r² the expression, a fraction of polynomials; None where there is none."""
     root = square_root(expression)
-    return (
-        None if root.atoms(Pow) and any(p.exp.q == 2 for p in root.atoms(Pow) if p.exp.is_Rational) else root
-    )
+    return None if any(p.exp.q == 2 for p in root.atoms(Pow) if p.exp.is_Rational) else root
