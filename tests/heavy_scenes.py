@@ -21,7 +21,8 @@ def drawn(rng, quadratic):
 
 def by_criteria(decision):
     """What spectrum and signature can say; what normal forms say beyond them has tests of its own."""
-    return "UNDECIDED" if decision.pointwise else decision.verdict.name
+    by_twist = decision.pointwise or decision.rung is gs.Rung.TWIST
+    return "UNDECIDED" if by_twist else decision.verdict.name
 
 
 def scene_of(inertia, rotor, c, Q):

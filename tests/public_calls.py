@@ -174,7 +174,7 @@ def methods():
     """Methods that take something."""
     k, r = known(), results()
     s, eq, U, space_ = gs.symbol, k.upright, k.top.potential, k.top.space
-    cone, staude, arc = r["StaudeCone"], r["StaudeArc"], r["GyrostatArc"]
+    cone, arc = r["StaudeCone"], r["Arc"]
     return [
         (r["AmendedPotential"].critical_points, {"values": {"C1": 5}}),
         (U.changed, {"change": same}), (U.check_size, {"numbers": {s("m0"): s("m0") * 0 + 1}}),
@@ -186,7 +186,7 @@ def methods():
         (k.free.body.changed, {"change": same}),
         (k.free.body.kinetic_energy, {"momentum": (s("pi1"), 0, 1)}),
         (arc.rotation, {"at": 1}),
-        (arc.near, {"omega": 1}),
+        (arc.near, {"at": 1}),
         (space_.gradient, {"f": s("pi1")}), (space_.hessian, {"f": s("pi1")**2}),
         (space_.bracket, {"f": s("pi1"), "g": s("pi2")}), (space_.jacobiator, {"i": 0, "j": 1, "k": 2}),
         (k.report.verdict, {"values": {"I1": 1, "l": 0, "m0": 1, "pi3_0": 3}, "damped": False}),
@@ -194,7 +194,7 @@ def methods():
         (k.report.window, {"values": {"I1": 1}}),
         (k.report.itself, {"values": {"I1": 1, "I3": 1, "l": 0, "m0": 1, "pi3_0": 3}}),
         (r["Solution"].contains, {"values": {"I1": 1, "m0": 1, "pi3_0": 5, "l": 0}}),
-        (staude.rotation, {"at": staude.low if staude.low else 1}), (cone.arcs, {"values": {}}),
+        (cone.arcs, {"values": {}}),
         (k.top.integrals_at, {"state": (0, 0, 3, 0, 0, 1)}),
         (gs.Verdict.of, {"stable": True}),
         (r["charts.CertifiedChart"].at, {"pi3_0": 3}),

@@ -23,9 +23,8 @@ if TYPE_CHECKING:
     from .equilibria.continuation.meeting_values import bifurcation_points
     from .equilibria.continuation.piece_and_mark import Continuation, Mark, Piece
     from .equilibria.curves.amended_potential import AmendedPotential, CriticalPoint, amended_potential
-    from .equilibria.curves.gyrostat_arcs import GyrostatArc
+    from .equilibria.curves.arc import Arc
     from .equilibria.curves.staude import StaudeCone, staude_cone
-    from .equilibria.curves.staude_arcs import StaudeArc
     from .equilibria.relative_equilibrium import RelativeEquilibrium
     from .equilibria.search import relative_equilibria
     from .mechanics.equilibrium.claimed_point import equilibrium
@@ -71,18 +70,18 @@ _Shown.formula = lambda shown: import_module("gyrostat.printing.formats.latex").
 _Shown.plain = lambda shown: import_module("gyrostat.printing.formats.text").plain(shown)
 
 __all__ = [
-    "__version__", "amended_potential", "AmendedPotential", "analyze", "assemble", "axial_potential",
+    "__version__", "amended_potential", "AmendedPotential", "analyze", "Arc", "assemble", "axial_potential",
     "Bifurcation", "bifurcation_points", "bifurcations", "Case", "charts",
     "circular_orbit", "Condition", "Continuation", "continuation", "coupled_potential",
     "CoupledPotential", "Criterion", "CriticalPoint", "Decision", "derivation", "earth_pointing",
     "earth_pointing_gyrostat", "energy_sink_criterion", "Equilibrium", "equilibrium", "errors",
-    "general_potential", "Gyrostat", "gyrostat_with_rotors", "GyrostatArc", "hanging",
+    "general_potential", "Gyrostat", "gyrostat_with_rotors", "hanging",
     "ideal_fluid", "inclined", "Interval", "lie_poisson", "LiePoisson", "Mark", "mechanics",
     "newtonian_field", "NormalForm", "NOTATION", "Notion", "orbital_precession", "parallel_directions",
     "permanent_rotation", "Piece", "plotting", "Potential", "principal_rotation", "published", "reduce",
     "relative_equilibria", "RelativeEquilibrium", "release", "Report", "Rotor",
     "Rung", "Solution", "solve_condition", "SolvedCondition", "Spectrum", "spectrum", "stabilizing_set",
-    "static_tilt", "staude_cone", "StaudeArc", "StaudeCone", "steady_motion", "stereographic", "symbol",
+    "static_tilt", "staude_cone", "StaudeCone", "steady_motion", "stereographic", "symbol",
     "symmetric_gyrostat", "System", "to_latex", "trajectories", "underwater_vehicle", "uniform_field",
     "upright", "Verdict", "Window",
 ]
@@ -126,9 +125,8 @@ __getattr__, __dir__ = _later(__name__, {
     "equilibria.continuation.meeting_values": "bifurcation_points",
     "equilibria.continuation.piece_and_mark": "Continuation Mark Piece",
     "equilibria.curves.amended_potential": "amended_potential AmendedPotential CriticalPoint",
-    "equilibria.curves.gyrostat_arcs": "GyrostatArc",
+    "equilibria.curves.arc": "Arc",
     "equilibria.curves.staude": "staude_cone StaudeCone",
-    "equilibria.curves.staude_arcs": "StaudeArc",
     "parameters.sets": "Case Interval Solution SolvedCondition",
     "parameters.solve": "solve_condition",
     "parameters.spectra": "Spectrum spectrum",

@@ -33,13 +33,24 @@ def hat(v):
     return np.array([[0, -v[2], v[1]], [v[2], 0, -v[0]], [-v[1], v[0], 0]])
 
 
-def growth(inertia, rotor, c, Q, omega, k):
-    """The largest real part of the six eigenvalues of the Euler-Poisson equations, linearised."""
+def spectrum(inertia, rotor, c, Q, omega, k):
+    """The six eigenvalues of the Euler-Poisson equations, linearised; two are 0."""
     inverse, rate = np.linalg.inv(inertia), omega * k
     M, g = inertia @ rate + rotor, c + Q @ k
     top = np.hstack([-hat(rate) + hat(M) @ inverse, -hat(g) + hat(k) @ Q])
     bottom = np.hstack([hat(k) @ inverse, -hat(rate)])
-    return np.linalg.eigvals(np.vstack([top, bottom])).real.max()
+    return np.linalg.eigvals(np.vstack([top, bottom]))
+
+
+def growth(inertia, rotor, c, Q, omega, k):
+    """The largest real part of an eigenvalue."""
+    return spectrum(inertia, rotor, c, Q, omega, k).real.max()
+
+
+def ratio(inertia, rotor, c, Q, omega, k):
+    """The larger frequency over the smaller, where the six eigenvalues are imaginary."""
+    slow, fast = np.sort(spectrum(inertia, rotor, c, Q, omega, k).imag)[-2:]
+    return fast / slow
 
 
 def squares(inertia, rotor, c, Q, omega, k):

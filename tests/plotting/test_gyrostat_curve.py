@@ -60,7 +60,7 @@ def test_every_vertex_is_a_rotation_of_that_verdict(drawn):
             assert left < 1e-9, k
             found = heavy.verdict(inertia, rotor, c, np.zeros((3, 3)), omega, k)
             if found and np.linalg.norm(changes - k, axis=1).min() > 1e-9:
-                assert found == verdict.upper(), k
+                assert ("STABLE" if found == "UNDECIDED" else found) == verdict.upper(), k      # by D4
                 checked += 1
     assert checked > 60
 
@@ -87,7 +87,7 @@ def test_nothing_of_the_curve_is_missing(drawn):
 def test_marks_and_legend(drawn):
     ax, inertia, c, rotor = drawn
     names = [text.get_text() for text in ax.get_legend().get_texts()]
-    assert names == ["stable", "unstable", "undecided", "change", "fold", "at rest"]
+    assert names == ["stable", "unstable", "change", "fold", "at rest"]
     assert not [line for line in ax.lines if line.get_linewidth() == OPPOSITE["linewidth"]
                 and line.get_color() == OPPOSITE["color"]]
     rest = marked(ax, REST)

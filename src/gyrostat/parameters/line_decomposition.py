@@ -12,7 +12,7 @@ from sympy import Expr, Mul, Symbol, oo
 from ..algebra.enclosures.balls import ball
 from ..algebra.reals.exact import Point, evaluate, is_identically_zero, proved_sign, sign_of_constant
 from ..algebra.rings.polynomials import Ring
-from ..algebra.solving.roots import between, real_roots
+from ..algebra.solving.roots import between, inside, real_roots
 from ..errors import ScopeError
 from ..mechanics.families.orbital_precession import moving_axis
 from ..stability.decision import Decision, Verdict
@@ -52,10 +52,10 @@ def _cells(report: Report, x: Symbol, numbers: Point, bounds: Sequence[Expr],
         decision = _decision(report, x, between(a, b), numbers)
         if windows is None or decision is None or not decision.pointwise:
             yield a, b, _stable(decision)
-        elif (inside := windows()) is None:
+        elif (cuts := windows()) is None:
             yield a, b, None
         else:
-            yield from _cells(report, x, numbers, [a, *(c for c in inside if _lies(c, a, b)), b])
+            yield from _cells(report, x, numbers, [a, *inside(cuts, a, b), b])
 
 
 def _in_window(report: Report, x: Symbol, numbers: Point, low: Expr | None,
@@ -72,10 +72,6 @@ def _in_window(report: Report, x: Symbol, numbers: Point, low: Expr | None,
     except ScopeError:
         return None
     return cuts_in_windows(motion, x, low, high)
-
-
-def _lies(x: Expr, low: Expr, high: Expr) -> bool:
-    return (low == -oo or proved_sign(x - low) == 1) and (high == oo or proved_sign(high - x) == 1)
 
 
 def _numerators(expression: Expr, x: Symbol) -> list[Expr]:

@@ -1,50 +1,34 @@
-"""The arcs of Staude's cone, and of the curve of a gyrostat, in doubles: k, omega and sigma along them."""
+"""The arcs of permanent rotations in doubles: k, omega and sigma along them."""
 from collections.abc import Callable
 from fractions import Fraction
-from typing import NamedTuple
 
 import numpy as np
 from sympy import Expr, oo
 
-from ..algebra.enclosures.floats import Array, in_floats
-from ..equilibria.curves.gyrostat_arcs import GyrostatArc
-from ..equilibria.curves.staude_arcs import Piece, StaudeArc
+from ..algebra.enclosures.floats import Array
+from ..equilibria.curves.arc import Arc, Piece
 from .globe import refined
 
 ROUNDS, FIRST = 12, 33                                 # halvings; values of the parameter at first
-Arc = StaudeArc | GyrostatArc
-
-
-class Points(NamedTuple):
-    """Permanent rotations: k of shape (n, 3), omega, and sigma of ∇U = omega² Ik + omega l + sigma k."""
-
-    k: Array
-    omega: Array
-    sigma: Array
 
 
 def moves(arc: Arc) -> bool:
     """Whether the direction changes along an arc."""
-    return sum(x != 0 for x in (arc.curve.k if isinstance(arc, GyrostatArc) else arc.n)) > 1
+    return sum(x != 0 for x in arc.k) > 1
 
 
-def along(arc: Arc, values: Array) -> Points:
-    """At values of the parameter; without a rotor those of positive omega."""
-    if isinstance(arc, GyrostatArc):
-        near = [arc.near(Fraction(x)) for x in values.tolist()]
-        return Points(np.array([k for k, _ in near]).reshape(-1, 3), values, np.array([s for _, s in near]))
-    here = {arc.parameter: values}
-    n, tau = ([np.broadcast_to(in_floats(x, np, here), values.shape) for x in row]
-              for row in (arc.n, (arc.tau,)))
-    length = np.linalg.norm(n, axis=0)
-    return Points(np.stack(n, axis=1) / length[:, None], np.sqrt(length), tau[0] * length)
+def along(arc: Arc, values: Array) -> tuple[Array, Array, Array]:
+    """k of shape (n, 3), omega and sigma at values of the parameter; without a rotor omega is positive."""
+    near = [arc.near(Fraction(x)) for x in values.tolist()]
+    k, omega, sigma = map(np.array, zip(*near)) if near else (np.zeros((0, 3)), values, values)
+    return k, omega, sigma
 
 
 def directions(arc: Arc, piece: Piece, step: float) -> Array:
     """k along a piece, its ends with it, none further from the next than a step; shape (n, 3)."""
-    first, last = (floats(end.k) if at == own else along(arc, np.array([float(at)])).k[0]
+    first, last = (floats(end.k) if at == own else along(arc, np.array([float(at)]))[0][0]
                    for end, at, own in zip(arc.ends, (piece.low, piece.high), (arc.low, arc.high)))
-    return halved(lambda t: along(arc, placed(arc, piece, t)).k, first, last, step)
+    return halved(lambda t: along(arc, placed(arc, piece, t))[0], first, last, step)
 
 
 def halved(place: Callable[[Array], Array], first: Array, last: Array, step: float) -> Array:
@@ -67,7 +51,7 @@ def _size(arc: Arc) -> float:
     """A usual value of the parameter: a moment for tau, for omega a rate."""
     body = arc.scene.body
     moment = sum(map(float, body.moments))
-    if isinstance(arc, StaudeArc):
+    if arc.both_ways:
         return moment
     U = arc.scene.potential
     assert U is not None

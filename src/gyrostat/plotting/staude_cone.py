@@ -6,7 +6,6 @@ import numpy as np
 from sympy import S, oo
 
 from ..arguments import checked
-from ..equilibria.curves.gyrostat_arcs import GyrostatArc
 from ..equilibria.curves.staude import staude_cone
 from ..mechanics.scenes.system import System
 from ..stability.decision import Verdict
@@ -82,7 +81,7 @@ def draw_staude_cone(scene: System, values: Mapping[str, Any] | None = None, ax:
     moving = [arc for arc in arcs if moves(arc)]
     curves = [(piece.decision.verdict, directions(arc, piece, STEP)) for arc in moving
               for piece in arc.pieces]
-    opposite = [] if isinstance(arcs[0], GyrostatArc) else [-curve for _, curve in curves]
+    opposite = [-curve for _, curve in curves] if arcs[0].both_ways else []
     without = curves_of(ax, opposite, OPPOSITE, "no rotation", eye)
     handles: list[Any] = []
     for verdict in Verdict:
@@ -90,10 +89,10 @@ def draw_staude_cone(scene: System, values: Mapping[str, Any] | None = None, ax:
         style = {**line(verdict), "linewidth": 2.0, **kwargs}
         handles += curves_of(ax, own, style, verdict.name.lower(), eye)
     handles += without
-    changes = [along(arc, np.array([float(x)])).k[0] for arc in moving for x in arc.boundaries]
+    changes = [along(arc, np.array([float(x)]))[0][0] for arc in moving for x in arc.boundaries]
     folds = [floats(end.k) for arc in moving for end in arc.ends if end.omega not in (0, oo, -oo)]
     rest = [floats(end.k) for arc in moving for end in arc.ends if end.omega == 0]
-    rest += [floats(arc.rotation(S.Zero).directions[0]) for arc in moving if isinstance(arc, GyrostatArc)
+    rest += [floats(arc.rotation(S.Zero).directions[0]) for arc in moving if not arc.both_ways
              and arc.low < 0 < arc.high]
     still = [floats(arc.ends[0].k) for arc in arcs if not moves(arc)]
     for points, style, name in ((changes, CHANGE, "change"), (folds, FOLD, "fold"),

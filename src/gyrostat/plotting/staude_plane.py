@@ -9,13 +9,12 @@ from ..algebra.enclosures.floats import Array, row
 from ..algebra.reals.exact import proved_sign
 from ..algebra.text.numbers import exact_number
 from ..arguments import checked, several
-from ..equilibria.curves.gyrostat_arcs import GyrostatArc
+from ..equilibria.curves.arc import Arc, End, Piece
 from ..equilibria.curves.staude import staude_cone
-from ..equilibria.curves.staude_arcs import End, Piece
 from ..errors import ValuesError
 from ..mechanics.scenes.system import System
 from ..stability.decision import Verdict
-from .along_arcs import Arc, along, floats, halved, placed
+from .along_arcs import along, floats, halved, placed
 from .globe import curves_of, dots_of
 from .headings import heading, number, of_scene
 from .looks import GREY, axes_of, axis, legend, line, with_dimension
@@ -132,9 +131,8 @@ class _Plane:
 
     def folds(self, arc: Arc) -> list[Array]:
         """Where two rotations of one rate become one."""
-        if isinstance(arc, GyrostatArc):
-            return [self.of_end(end) for end in arc.ends if end.omega not in (oo, -oo)]
-        return [place for x in arc.folds for place in self.at(arc, x)]
+        return [*(self.of_end(end) for end in arc.ends if end.omega not in (0, oo, -oo)),
+                *(place for x in arc.folds for place in self.at(arc, x))]
 
     def rates(self, places: Sequence[Array]) -> tuple[float, float]:
         """A range with some places in it, or with what is usual for the body."""
@@ -165,7 +163,7 @@ class _Plane:
 
 def _at_both_rates(arc: Arc, places: Array) -> list[Array]:
     """Without a rotor −omega is a rate, too."""
-    return [places] if isinstance(arc, GyrostatArc) else [places, places * (-1, 1)]
+    return [places, places * (-1, 1)] if arc.both_ways else [places]
 
 
 def _range(omega: Sequence[Any]) -> tuple[float, float]:

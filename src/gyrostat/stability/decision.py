@@ -100,6 +100,7 @@ class Rung(Enum):
     DRIFT = "drift"                                        # equilibria nearby move along its orbit
     WHOLE_ORBIT = "whole orbit"                            # nothing moves on its orbit
     NEGATIVE_SQUARES = "negative squares"                  # of the energy, under internal damping
+    TWIST = "D4"                                           # of either sign, along an arc but at single points
 
     @property
     def by_condition(self) -> bool:

@@ -1,6 +1,7 @@
 """The arcs of the permanent rotations of a gyrostat, against Newton's method, spectra and signatures."""
 import random
 from fractions import Fraction
+from itertools import pairwise
 
 import heavy
 import numpy as np
@@ -121,10 +122,10 @@ def test_what_the_arcs_go_to(kind):
     for arc in arcs_of(*SPECIAL[kind]):
         for end, beside in zip(arc.ends, (-1, 1)):
             if end.omega in (oo, -oo):
-                k, _ = arc.near(Fraction(beside * 10**7))
+                k, *_ = arc.near(Fraction(beside * 10**7))
                 assert np.abs(np.array(k) - np.array(end.k, float)).max() < 1e-5
             else:
-                k, _ = arc.near(Fraction(float(end.omega)) - beside * Fraction(1, 10**12))
+                k, *_ = arc.near(Fraction(float(end.omega)) - beside * Fraction(1, 10**12))
                 assert np.abs(np.array(k) - [float(x) for x in end.k]).max() < 1e-4
 
 
@@ -143,6 +144,49 @@ def test_the_verdict_changes_at_the_boundaries(arcs):
                     assert found in (None, piece.decision.verdict.name)
                     changes += found is not None
     assert changes >= 8
+
+
+def held(arcs):
+    """The pieces in windows, in order, each with its arc."""
+    return [(arc, piece) for arc in arcs for piece in arc.pieces if piece.decision.rung is gs.Rung.TWIST]
+
+
+def test_windows_are_decided_between_resonances():
+    """Where two pieces of a window meet, the frequencies are as 1 to 2 or 3; inside a piece never."""
+    inertia, c, rotor = (1, 2, 3), (0, 0, 1), (0, 0, Fraction(1, 2))
+    arcs = arcs_of(inertia, c, rotor)
+    found = held(arcs)
+    assert not any(piece.decision.verdict == "UNDECIDED" for arc in arcs for piece in arc.pieces)
+
+    def ratio(arc, omega):
+        return heavy.ratio(*floats(inertia, rotor, c, NOTHING, omega), np.array(arc.near(omega).k))
+
+    for arc, piece in found:
+        low, high = (Fraction(float(x)) if x not in (oo, -oo) else x for x in (piece.low, piece.high))
+        low, high = max(low, -9), min(high, 9)
+        ratios = [ratio(arc, low + (high - low) * Fraction(n, 100)) for n in range(2, 99)]
+        assert all((ratios[0] - m) * (x - m) > 0 for x in ratios for m in (2, 3))
+    meet = [(arc, one.high) for (arc, one), (other, two) in pairwise(found)
+            if arc is other and one.high == two.low]
+    assert len(meet) >= 4
+    for arc, omega in meet:
+        assert min(abs(ratio(arc, Fraction(float(omega))) - m) for m in (2, 3)) < 1e-9
+
+
+@pytest.mark.slow
+def test_what_is_said_of_a_window_holds_of_its_rotations(arcs):
+    """By the ladder at single rates, each of one equilibrium, with D4 ≠ 0 and the notion of the piece."""
+    rng, asked = random.Random("windows"), 0
+    for arc, piece in held(arcs):
+        low, high = max(float(piece.low), -50), min(float(piece.high), 50)
+        for _ in range(4):
+            omega = Rational(Fraction(rng.uniform(low, high)).limit_denominator(10**6))
+            if piece.low < omega < piece.high:
+                decision = arc.rotation(omega).decision
+                assert decision.stable and decision.rung in (gs.Rung.TWIST_POSITIVE, gs.Rung.TWIST_NEGATIVE)
+                assert decision.notion == piece.decision.notion
+                asked += 1
+    assert asked > 20
 
 
 @pytest.mark.slow
@@ -197,7 +241,7 @@ def test_what_is_refused():
     with pytest.raises(ScopeError, match="at rational numbers"):
         gs.staude_cone(root).arcs({})
     arc = next(arc for arc in arcs_of(*SPECIAL["on one axis"]) if arc.high != oo)
-    with pytest.raises(ValuesError, match="give a rate between"):
+    with pytest.raises(ValuesError, match="give a number between"):
         arc.rotation(10**6)
     with pytest.raises(ValuesError, match="give a rational rate"):
         arc.rotation(-sqrt(30))

@@ -33,7 +33,7 @@ def floats(inertia, c, omega):
 
 def at(arc, value):
     """k and omega in doubles, from the formula of the arc."""
-    n = np.array([float(x.subs(arc.parameter, value)) for x in arc.n])
+    n = np.array([float(x.subs(arc.parameter, value)) for x in arc.curve.n])
     return n / np.linalg.norm(n), float(np.sqrt(np.linalg.norm(n)))
 
 
@@ -53,7 +53,7 @@ def check(rng, inertia, c):
             tau = (k @ data[2]) / omega**2 - k @ data[0] @ k
             near = []
             for arc in arcs:
-                value = tau if arc.parameter != RHO else k[arc.n.index(RHO)] * omega**2
+                value = tau if arc.parameter != RHO else k[arc.curve.n.index(RHO)] * omega**2
                 if arc.low < value < arc.high:
                     place, rate = at(arc, value)
                     near.append(np.abs(place - k).max() + abs(rate - omega))
@@ -106,7 +106,7 @@ def test_equations_of_motion_in_symbols():
     """ω² Ik × k = ∇U × k, where k = n/ω²."""
     for inertia, c in [((1, 2, 3), (1, -2, 1)), *SPECIAL]:
         for arc in cone_of(inertia, c).arcs({}):
-            n, I = Matrix(arc.n), Matrix.diag(*inertia)
+            n, I = Matrix(arc.curve.n), Matrix.diag(*inertia)
             assert not any(map(simplify, (I * n).cross(n) - Matrix(c).cross(n)))
 
 
@@ -131,8 +131,8 @@ def test_boundaries_between_minimum_and_saddle_are_extrema_of_c1():
     """C1² = (n·In)²/|n|³ is stationary along the arc just there."""
     for inertia, c in (((1, 2, 3), (1, 1, 1)), ((3, 5, 4), (-1, 2, 2))):
         for arc in cone_of(inertia, c).arcs({}):
-            square, x = sum(y * y for y in arc.n), arc.parameter
-            level = sum(m * y * y for m, y in zip(inertia, arc.n)) ** 4 / square**3
+            square, x = sum(y * y for y in arc.curve.n), arc.parameter
+            level = sum(m * y * y for m, y in zip(inertia, arc.curve.n)) ** 4 / square**3
             for before, after in zip(arc.pieces, arc.pieces[1:]):
                 kinds = {p.decision.reason.split(":")[0].split(",")[0] for p in (before, after)}
                 value = diff(level, x).subs(x, after.low.evalf(40))
@@ -192,7 +192,10 @@ def test_what_is_refused():
         gs.staude_cone(scene).arcs({})
     with pytest.raises(ValuesError, match="m1"):
         gs.staude_cone(scene).arcs({"m0": 1, "m1": 2})
-    assert len(gs.staude_cone(scene).arcs({"m0": 1})) == 4
+    arcs = gs.staude_cone(scene).arcs({"m0": 1})
+    assert len(arcs) == 4
+    with pytest.raises(ValuesError, match="tau = -2, and the arc goes from -oo to -2.*give a number between"):
+        arcs[0].rotation(-2)
 
 
 def test_a_sphere_with_a_rotor_is_refused():

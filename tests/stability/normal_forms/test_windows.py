@@ -11,6 +11,8 @@ from sympy import Rational
 from window_scenes import Rotation, windows
 
 import gyrostat as gs
+from gyrostat.stability.decision import settled
+from gyrostat.stability.normal_forms.windows import between_cuts
 
 KINDS = {"uniform, at rest in the body": (False, True, False), "uniform, with a rotor": (False,),
          "uniform, a tensor": (False, False), "quadratic": (True,), "quadratic, a tensor": (True, False)}
@@ -91,3 +93,17 @@ def test_what_changes_D4(change, factor):
     before, after = (gs.analyze(r.equilibrium()).normal_form({}).twists[0]
                      for r in (rotation, change(rotation)))
     assert after == factor * before
+
+
+@pytest.mark.parametrize("rung", [gs.Rung.RESONANCE, gs.Rung.INTEGRAL, gs.Rung.SIXTH_ORDER,
+                                  gs.Rung.TWIST_POSITIVE, gs.Rung.TWIST_NEGATIVE])
+@pytest.mark.parametrize("twists", [True, False, None])
+def test_what_a_point_says_of_its_window(rung, twists):
+    """D4 ≠ 0 speaks of all between two cuts, its sign where its zeros are cuts; nothing else does."""
+    point = settled(True, "of a point", rung, note="unusual", pointwise=True)
+    found = between_cuts(point, twists)
+    by_twist = twists is not None and rung in (gs.Rung.TWIST_POSITIVE, gs.Rung.TWIST_NEGATIVE)
+    assert found.verdict == ("STABLE" if by_twist else "UNDECIDED")
+    assert found.rung is (gs.Rung.NOTHING if not by_twist else rung if twists else gs.Rung.TWIST)
+    assert ("but for single points" in found.reason) == (by_twist and not twists)
+    assert found.note == "unusual" and not found.pointwise

@@ -187,6 +187,12 @@ def between(a: Expr, b: Expr) -> Rational:
     return candidate
 
 
+def inside(values: Iterable[Expr], low: Expr, high: Expr) -> list[Expr]:
+    """Those of exact numbers that lie between two, which may be infinite."""
+    return [x for x in values if (low == -oo or proved_sign(x - low) == 1)
+            and (high == oo or proved_sign(high - x) == 1)]
+
+
 def _side(number: Expr, precision: int, side: int) -> Rational:
     """The upper or lower end of an enclosure, exact."""
     return to_sympy(ends(ball(number, precision))[side > 0])

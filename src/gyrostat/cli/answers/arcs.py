@@ -7,9 +7,9 @@ from sympy import Abs, Expr, factor_terms
 
 from ...algebra.reals.exact import sign_of_constant
 from ...algebra.solving.roots import between
-from ...equilibria.curves.gyrostat_arcs import GyrostatArc
+from ...equilibria.curves.arc import Arc
 from ...equilibria.curves.staude import staude_cone
-from ...equilibria.curves.staude_arcs import StaudeArc
+from ...equilibria.finders.heavy import OMEGA
 from ...mechanics.scenes.kind import Kind
 from ...mechanics.scenes.system import names_of_scene
 from ...printing.blocks import Block, Heading
@@ -20,10 +20,8 @@ from ...stability.criteria.number_notes import scene_note
 from ..options.scene_texts import Asked, scene_of
 from .equilibrium_labels import named
 
-Arcs = Sequence[StaudeArc] | Sequence[GyrostatArc]
 
-
-def arcs_at(asked: Asked, label: str | None, numbers: Mapping[str, Expr]) -> Arcs:
+def arcs_at(asked: Asked, label: str | None, numbers: Mapping[str, Expr]) -> Sequence[Arc]:
     """Every arc of permanent rotations; none where something else is asked, or U is not c·k."""
     scene = scene_of(asked)
     U = scene.potential
@@ -36,38 +34,35 @@ def arcs_at(asked: Asked, label: str | None, numbers: Mapping[str, Expr]) -> Arc
     return staude_cone(scene).arcs(numbers)
 
 
-def arcs_blocks(arcs: Arcs) -> list[Block]:
+def arcs_blocks(arcs: Sequence[Arc]) -> list[Block]:
     """Ends, direction, rate and verdicts of each."""
     return [*(block for n, arc in enumerate(arcs, 1)
               for block in (Heading(f"permanent rotations, arc {n}"), *result_blocks(arc))),
             *note_blocks(scene_note(arcs[0].scene, {}))]
 
 
-def _along(arc: StaudeArc | GyrostatArc) -> dict[str, Any]:
-    """The unit vector k and the square of the rate, in the parameter and sigma."""
-    if isinstance(arc, GyrostatArc):
-        return {"k": strings(arc.curve.k), "omega_squared": str(arc.parameter**2)}
+def _along(arc: Arc) -> dict[str, Any]:
+    """The unit vector k and the square of the rate, in the parameter; with a rotor k is in sigma, too."""
+    if not arc.both_ways:
+        return {"k": strings(arc.k), "omega_squared": str(arc.omega_squared)}
     inside = {arc.parameter: between(arc.low, arc.high)}   # what has a sign keeps it along the arc
     square = arc.omega_squared.replace(Abs, lambda x: x * sign_of_constant(x.xreplace(inside)))
-    return {"k": strings(factor_terms(x / square) for x in arc.n), "omega_squared": str(square)}
+    k = (factor_terms(x.xreplace({OMEGA**-2: 1 / square})) for x in arc.k)
+    return {"k": strings(k), "omega_squared": str(square)}
 
 
-def arcs_data(arcs: Arcs) -> dict[str, Any]:
+def arcs_data(arcs: Sequence[Arc]) -> dict[str, Any]:
     """The arcs as data for JSON; of an infinite number the decimal is none."""
     note = scene_note(arcs[0].scene, {})
-    return {"arcs": [{
-        "parameter": str(arc.parameter), "low": number_data(arc.low), "high": number_data(arc.high),
-        **_along(arc),
-        "ends": [{"k": [number_data(x) for x in end.k], "omega": number_data(end.omega)} for end in arc.ends],
-        "pieces": [{"low": number_data(piece.low), "high": number_data(piece.high),
-                    "decision": decision_data(replace(piece.decision, note=""))} for piece in arc.pieces]}
-        | _circles(arc) for arc in arcs]} | ({"note": note} if note else {})
+    return {"arcs": list(map(_arc, arcs))} | ({"note": note} if note else {})
 
 
-def _circles(arc: StaudeArc | GyrostatArc) -> dict[str, Any]:
-    """Those that an arc crosses, if any."""
-    if not isinstance(arc, GyrostatArc) or not arc.circles:
-        return {}
-    return {"circles": [{"k": [number_data(x) for x in circle.directions[0]],
-                         "omega": number_data(circle.rates["omega"]),
-                         "locus": circle.locus} for circle in arc.circles]}
+def _arc(arc: Arc) -> dict[str, Any]:
+    """With the circles that it crosses, if any."""
+    ends = [{"k": list(map(number_data, end.k)), "omega": number_data(end.omega)} for end in arc.ends]
+    pieces = [{"low": number_data(piece.low), "high": number_data(piece.high),
+               "decision": decision_data(replace(piece.decision, note=""))} for piece in arc.pieces]
+    circles = [{"k": list(map(number_data, circle.directions[0])),
+                "omega": number_data(circle.rates["omega"]), "locus": circle.locus} for circle in arc.circles]
+    return {"parameter": str(arc.parameter), "low": number_data(arc.low), "high": number_data(arc.high),
+            **_along(arc), "ends": ends, "pieces": pieces} | ({"circles": circles} if circles else {})

@@ -2,28 +2,30 @@
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from functools import lru_cache
 
 from sympy import Add, Expr, Mul, Rational, S, Symbol, oo, sqrt
 
 from ..._cached import cached_property
 from ...algebra.enclosures.balls import ball
-from ...algebra.reals.exact import evaluate, proved_sign
+from ...algebra.reals.exact import evaluate, plain, proved_sign
 from ...algebra.rings.polynomials import cancel
+from ...algebra.solving.plane_branches import Span, Strand, strands
 from ...algebra.solving.plane_curves import PlaneCurve
-from ...algebra.solving.roots import in_order, real_roots
-from ...errors import ScopeError
+from ...algebra.solving.roots import between, in_order, real_roots
+from ...errors import ScopeError, ValuesError
 from ...mechanics.scenes.system import System
 from ...notation import Stored
 from ...stability.criteria.amended_form import dot
+from ...stability.form import Invariants
+from ...stability.normal_forms.windows import resonance_margins
 from ...stability.spectrum import conditions
 from ..finders.heavy import OMEGA, SIGMA, heavy_forms
 from ..finders.heavy_form import HeavyForm
 from ..finders.heavy_polynomials import DIRECTION
-from .staude_arcs import TAU
+from .cone_curves import PRECISION, TAU, End, Near
 
-PRECISION = 192                                        # bits of roots that become doubles
 SLOWER = {SIGMA: OMEGA**2 * TAU}
-Known = dict[Expr, dict[Expr, bool]]
 
 
 @dataclass(frozen=True)
@@ -55,6 +57,8 @@ class RateCurve(Stored):
     equation: Expr
     k: tuple[Expr, ...]
     through: tuple[Expr, ...] = ()
+    parameter, omega_squared = OMEGA, OMEGA**2
+    folds = ()
 
     @cached_property
     def plane(self) -> PlaneCurve:
@@ -65,10 +69,23 @@ class RateCurve(Stored):
         """k of a root of the equation, exact."""
         return tuple(evaluate(x, {OMEGA: omega, self.unknown: root}) for x in self.k)
 
-    def at(self, place: int, omega: Expr) -> HeavyForm:
-        """That of a root, counted from below, at an exact rate at which all roots are simple."""
-        roots = real_roots(evaluate(self.equation, {OMEGA: omega}), self.unknown) or []
-        return HeavyForm(self.scene, self.directed(omega, roots[place]), omega)
+    def at(self, span: Span, value: Expr) -> HeavyForm:
+        """The rotation at a rational rate, or at the end of the span, where roots meet."""
+        if value == span.high:
+            return self._among_others(span)
+        if not isinstance(value, Rational):
+            raise ValuesError(f"omega = {value}: give a rational rate, at which the rotation is found "
+                              "exactly")
+        root = _roots(self.equation, self.unknown, value)[span.place]
+        return HeavyForm(self.scene, self.directed(value, root), value)
+
+    def _among_others(self, span: Span) -> HeavyForm:
+        """Where roots meet: two rotations of one sigma have k_i of two signs, each that of its branch."""
+        found = self.all_at(span.high)
+        level = found[span.place][0]
+        signs = [proved_sign(x) for x in self.at(span, between(span.low, span.high)).k]
+        return next(rotation for sigma, rotation in found if proved_sign(sigma - level) == 0
+                    and all(proved_sign(x) in (0, sign) for x, sign in zip(rotation.k, signs)))
 
     def all_at(self, omega: Expr) -> list[tuple[Expr, HeavyForm]]:
         """sigma and rotation of all with k_i = 0 where b_i is 0 at every omega, in the order of sigma."""
@@ -98,16 +115,25 @@ class RateCurve(Stored):
         return evaluate(dot(k, [evaluate(y, {OMEGA: at}) - at**2 * m * x
                                 for x, y, m in zip(k, self.b, self.scene.body.moments)]), {})
 
-    def near(self, place: int, omega: Fraction) -> tuple[tuple[float, ...], float]:
-        """k and sigma of a root, counted from below, in doubles."""
-        root = self.plane.roots(omega, precision=PRECISION)[place]
-        here = {OMEGA: ball(Rational(omega.numerator, omega.denominator), PRECISION), self.unknown: root}
+    def near(self, span: Span, value: Fraction) -> Near:
+        """The same in doubles."""
+        omega = Rational(value.numerator, value.denominator)
+        if omega == span.high:
+            rotation = self._among_others(span)
+            return Near(tuple(map(float, rotation.k)), float(omega), float(self.sigma(rotation)))
+        root = self.plane.roots(value, precision=PRECISION)[span.place]
+        here = {OMEGA: ball(omega, PRECISION), self.unknown: root}
         k = tuple(float(ball(x, PRECISION, here).mid()) for x in self.k)
         parts = zip(self.k, self.scene.body.moments)
         sigma = SIGMA if self.unknown == SIGMA else next(-OMEGA**2 * m for x, m in parts if x == self.unknown)
-        return k, float(ball(sigma, PRECISION, here).mid())
+        return Near(k, float(omega), float(ball(sigma, PRECISION, here).mid()))
 
-    def far(self, place: int, omega: Expr) -> tuple[Expr, ...]:
+    def end(self, span: Span, at: Expr, root: Expr | None, side: int) -> End:
+        """Two rotations become one, or a principal axis, omega → ±∞."""
+        k = self._far(span.place, at) if root is None else self.directed(at, root)
+        return End(tuple(map(plain, k)), at)
+
+    def _far(self, place: int, omega: Expr) -> tuple[Expr, ...]:
         """k of a root, counted from below, as omega goes to −∞ or ∞: along a principal axis."""
         moments = self.scene.body.moments
         if self.unknown != SIGMA:
@@ -121,28 +147,47 @@ class RateCurve(Stored):
 
     @cached_property
     def critical(self) -> list[Expr]:
-        """Every omega at which k·adj(K)k or p² − 4q vanishes on the curve, among others, and 0.
+        """Every omega at which k·adj(K)k or p² − 4q vanishes on the curve, among others, and 0."""
+        form = self._form
+        return in_order(list({S.Zero: None} | self._zeros(form.form[-1], conditions(form.spectrum)[-1])))
 
-        With tau = sigma/omega², of which the polynomials are of lower degree in omega.
-        """
-        form = HeavyForm(self.scene, tuple(x.xreplace(SLOWER) for x in self.k), OMEGA).invariants(None)
+    @cached_property
+    def cuts(self) -> tuple[list[Expr], bool | None]:
+        """Every omega at which a resonance holds on the curve, among others; and False, as D4 is left."""
+        _, p, q = self._form.spectrum
+        return in_order(list(self._zeros(*(at for _, _, at in resonance_margins(p, q))))), False
+
+    @cached_property
+    def _form(self) -> Invariants:
+        """With tau = sigma/omega², of which the polynomials are of lower degree in omega."""
+        return HeavyForm(self.scene, tuple(x.xreplace(SLOWER) for x in self.k), OMEGA).invariants(None)
+
+    def _zeros(self, *margins: Expr) -> dict[Expr, None]:
+        """Every omega at which one of them vanishes, and not along a component of the curve."""
         unknown = TAU if self.unknown == SIGMA else self.unknown
         curve = PlaneCurve(self.equation.xreplace(SLOWER), unknown, OMEGA, ends=())
         name = str(curve.whole.context().names()[curve.place[0]])
-        found: dict[Expr, None] = {S.Zero: None}
-        for margin in (form.form[-1], conditions(form.spectrum)[-1]):
+        found: dict[Expr, None] = {}
+        for margin in margins:
             top = cancel(*curve.ring.fraction(margin))[0]
             part = curve.whole / curve.whole.gcd(top)
             found |= dict.fromkeys(real_roots(curve.ring.expression(part.resultant(top, name)), OMEGA) or ())
-        return in_order(list(found))
+        return found
 
 
-def rate_curves(scene: System, c: Sequence[Expr]) -> Iterator[tuple[RateCurve, Known]]:
-    """The curves that have every rotation, and the multiple roots on them that are no folds.
+@lru_cache(maxsize=64)
+def _roots(equation: Expr, unknown: Symbol, omega: Expr) -> list[Expr]:
+    """Of an equation at a rate, in increasing order; each branch asks for them."""
+    return real_roots(evaluate(equation, {OMEGA: omega}), unknown) or []
 
-    Where a b_i is 0 at one omega, so are d_i = sigma + omega² I_i and k_i d_i: two rotations with k_i of two
-    signs have one sigma, and their branches cross; or there is none, or one with k_i = 0. Of equal moments
-    those are two points of a circle of rotations, along b_i and b_j.
+
+def rate_curves(scene: System, c: Sequence[Expr]) -> Iterator[tuple[RateCurve, Strand]]:
+    """The curve and the strand of every admissible arc of a body with a rotor in U = c·k, at numbers.
+
+    Multiple roots of the equation are folds, but for those that are known. Where a b_i is 0 at one omega, so
+    are d_i = sigma + omega² I_i and k_i d_i: two rotations with k_i of two signs have one sigma, and their
+    branches cross; or there is none, or one with k_i = 0. Of equal moments those are two points of a circle
+    of rotations, along b_i and b_j.
 
     Raises
     ------
@@ -155,7 +200,7 @@ def rate_curves(scene: System, c: Sequence[Expr]) -> Iterator[tuple[RateCurve, K
                          "rational numbers: round the others to decimals, or give one rate omega")
     b = tuple(x - OMEGA * y for x, y in zip(c, rotor))
     squares = {m: Add(*(y**2 for n, y in zip(moments, b) if n == m)).expand() for m in moments}
-    known: Known = {S.Zero: {S.Zero: False}}               # at omega = 0, where all d_i are sigma
+    known: dict[Expr, dict[Expr, bool]] = {S.Zero: {S.Zero: False}}            # all d_i are sigma there
     through = []
     for m in moments:
         for at in real_roots(squares[m], OMEGA) or ():
@@ -167,15 +212,17 @@ def rate_curves(scene: System, c: Sequence[Expr]) -> Iterator[tuple[RateCurve, K
     d = {m: SIGMA + OMEGA**2 * m for m in free}
     equation = Add(*(squares[m] * Mul(*(d[n]**2 for n in free if n != m)) for m in free),
                    -Mul(*(d[m]**2 for m in free)))
-    yield RateCurve(scene, b, SIGMA, equation, tuple(y / d[m] if y else S.Zero for y, m in zip(b, moments)),
-                    tuple(dict.fromkeys(through))), known
+    curve = RateCurve(scene, b, SIGMA, equation, tuple(y / d[m] if y else S.Zero for y, m in zip(b, moments)),
+                      tuple(dict.fromkeys(through)))
+    yield from ((curve, strand) for strand in strands(equation, SIGMA, OMEGA, known))
     for i, m in enumerate(moments):
         if not b[i] and not squares[m]:
             unknown = DIRECTION[i]
-            equation = OMEGA**4 * (unknown**2 - _left(squares, m, OMEGA))
+            equation = (OMEGA**4 * (unknown**2 - _left(squares, m, OMEGA))).expand()
             k = tuple(unknown if n == i else y / (OMEGA**2 * (moments[n] - m)) if y else S.Zero
                       for n, y in enumerate(b))
-            yield RateCurve(scene, b, unknown, equation.expand(), k), {S.Zero: {}}
+            curve = RateCurve(scene, b, unknown, equation, k)
+            yield from ((curve, strand) for strand in strands(equation, unknown, OMEGA, {S.Zero: {}}))
 
 
 def _left(squares: Mapping[Expr, Expr], m: Expr, omega: Expr) -> Expr:

@@ -18,8 +18,9 @@ from ...notation import Stored
 from ...stability.criteria.amended_form import dot
 from ..finders.heavy_polynomials import DIRECTION
 from ..finders.rate_level_tilt import exact_point
-from .gyrostat_arcs import GyrostatArc, gyrostat_arcs
-from .staude_arcs import StaudeArc, staude_arcs
+from .arc import Arc
+from .cone_curves import cone_curves
+from .rate_curves import rate_curves
 
 
 @dataclass(frozen=True, repr=False)
@@ -90,7 +91,7 @@ class StaudeCone(Shown, Stored):
         return (body.tensor * Matrix(DIRECTION)).flat(), body.gyrostatic_momentum, slopes
 
     @checked
-    def arcs(self, values: Mapping[str, Any]) -> list[StaudeArc] | list[GyrostatArc]:
+    def arcs(self, values: Mapping[str, Any]) -> list[Arc]:
         """Every admissible arc.
 
         Without a rotor in the order of tau, and on each both omega and −omega are rates. With one, over
@@ -103,7 +104,7 @@ class StaudeCone(Shown, Stored):
 
         Returns
         -------
-        list of StaudeArc, with a rotor of GyrostatArc
+        list of Arc
             complete; where c, and l, are on a principal axis, that axis is the direction of two of them, of
             every rate
 
@@ -130,7 +131,7 @@ class StaudeCone(Shown, Stored):
             raise ScopeError(f"inertia = {here.body.moments}, c = {c}{rotor}: the body is one of revolution "
                              "in its field, and its permanent rotations are about whole circles of "
                              "directions: ask relative_equilibria")
-        return list(gyrostat_arcs(here, c)) if turned else list(staude_arcs(here, c))
+        return [Arc(*found) for found in (rate_curves(here, c) if turned else cone_curves(here, c))]
 
 
 @checked

@@ -17,8 +17,9 @@ from ...stability.criteria.amended_form import amended_form, dot
 from ...stability.decision import Decision, Rung, settled, undecided
 from ...stability.form import PRECISION, Form, Invariants
 from ...stability.normal_forms.local_motion import LocalMotion
-from ...stability.normal_forms.windows import decide_window
+from ...stability.normal_forms.windows import decide_window, resonance_margins
 from ...stability.notion import Notion
+from ...stability.spectrum import Signs
 from .heavy_polynomials import DIRECTION
 
 LABEL = "permanent rotation"
@@ -119,6 +120,11 @@ class HeavyForm(Form):
         rows = [[[ball(e, precision) for e in row] for row in matrix] for matrix in (inertia, curved)]
         k, *vectors = ([ball(e, precision) for e in vector] for vector in (self.k, rotor, gradient))
         return k, Data(rows[0], vectors[0], vectors[1], rows[1]), ball(self.omega, precision)
+
+    @cached_property
+    def resonance_signs(self) -> Signs:
+        """Of what is 0 where the frequencies are as 1 to 2, and as 1 to 3."""
+        return self._proved(lambda found: [x for _, _, x in resonance_margins(*found.spectrum[1:])])
 
     def known(self) -> Decision | None:
         """On a curve of rotations that is no circle, where the second variation is degenerate."""

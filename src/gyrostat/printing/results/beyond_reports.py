@@ -14,9 +14,8 @@ from ...equilibria.continuation.bifurcation_kinds import KINDS
 from ...equilibria.continuation.meeting_equations import Bifurcation
 from ...equilibria.continuation.piece_and_mark import Mark
 from ...equilibria.curves.amended_potential import AmendedPotential, CriticalPoint
-from ...equilibria.curves.gyrostat_arcs import GyrostatArc
+from ...equilibria.curves.arc import Arc
 from ...equilibria.curves.staude import StaudeCone
-from ...equilibria.curves.staude_arcs import StaudeArc
 from ...equilibria.relative_equilibrium import RelativeEquilibrium
 from ...mechanics.equilibrium.reduction import Reduction
 from ...notation import symbol
@@ -39,7 +38,7 @@ from .drift import drift_displays
 from .inequalities import existence
 from .interval_ends import number, tidy
 from .normal_form import form_blocks, window_blocks
-from .staude import arc_blocks, cone_blocks, gyrostat_arc_blocks
+from .staude import arc_blocks, cone_blocks
 
 # operations under a root, more of which are given a name
 LONG = 8
@@ -208,8 +207,8 @@ def _reduction(motion: Reduction) -> list[Block]:
 
 _OF_TYPE: dict[type, Callable[[Any], list[Block]]] = {
     RelativeEquilibrium: relative_equilibrium, AmendedPotential: amended_potential,
-    CriticalPoint: critical_point, NormalForm: form_blocks, StaudeCone: cone_blocks, StaudeArc: arc_blocks,
-    GyrostatArc: gyrostat_arc_blocks, Drift: drift_displays, Window: window_blocks}
+    CriticalPoint: critical_point, NormalForm: form_blocks, StaudeCone: cone_blocks, Arc: arc_blocks,
+    Drift: drift_displays, Window: window_blocks}
 for _type, _blocks in _OF_TYPE.items():
     result_blocks.register(_type, _blocks)
 

@@ -5,9 +5,8 @@ from typing import Any
 from sympy import Add, Expr, S, oo, sqrt
 
 from ...algebra.rings.readable import readable
-from ...equilibria.curves.gyrostat_arcs import GyrostatArc
+from ...equilibria.curves.arc import Arc, End, Piece
 from ...equilibria.curves.staude import StaudeCone
-from ...equilibria.curves.staude_arcs import End, Piece, StaudeArc
 from ...equilibria.relative_equilibrium import RelativeEquilibrium
 from ...notation import symbol
 from ..blocks import Block, Display, Word, equations, listed, sentence
@@ -27,22 +26,17 @@ def cone_blocks(cone: StaudeCone) -> list[Block]:
             Display(rate, readable(cone.rate))]
 
 
-def arc_blocks(arc: StaudeArc) -> list[Block]:
-    """Its ends, the direction and the rate along it, and the verdict of each part."""
+def arc_blocks(arc: Arc) -> list[Block]:
+    """Its ends, the direction and the rate along it, the verdict of each part, and circles."""
     low, high = arc.ends
-    length = sqrt(readable(arc.omega_squared**2))
-    return [sentence("Arc from ", *_end(low), " to ", *_end(high), " along it:"),
-            Display(OMEGA**2, length),
-            *(Display(symbol(f"k{n}"), readable(x) / OMEGA**2) for n, x in enumerate(arc.n, 1)),
-            *_verdicts(arc.parameter, arc.pieces)]
-
-
-def gyrostat_arc_blocks(arc: GyrostatArc) -> list[Block]:
-    """Its ends, the direction along it, and the verdict of each part."""
-    low, high = arc.ends
-    return [sentence("Arc from ", *_end(low), " to ", *_end(high), " along it |", VECTOR, "| = 1:"),
-            *(Display(symbol(f"k{n}"), x) for n, x in enumerate(arc.curve.k, 1) if x != symbol(f"k{n}")),
-            *_verdicts(OMEGA, arc.pieces), *map(_crossed, arc.circles)]
+    known: tuple[Any, ...] = (":",) if arc.both_ways else (" |", VECTOR, "| = 1:")
+    found: list[Block] = [sentence("Arc from ", *_end(low), " to ", *_end(high), " along it", *known)]
+    k = arc.k
+    if arc.both_ways:
+        found.append(Display(OMEGA**2, sqrt(readable(arc.omega_squared**2))))
+        k = tuple(readable(x * OMEGA**2) / OMEGA**2 for x in k)
+    return [*found, *(Display(symbol(f"k{n}"), x) for n, x in enumerate(k, 1) if x != symbol(f"k{n}")),
+            *_verdicts(arc.parameter, arc.pieces), *map(_crossed, arc.circles)]
 
 
 def _crossed(rotation: RelativeEquilibrium) -> Block:

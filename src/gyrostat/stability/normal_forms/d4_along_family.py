@@ -21,7 +21,7 @@ from ...notation import Stored
 from ..criteria.numbers_asked import refuse_any_direction
 from .d4_by_averages import averages
 from .local_motion import LocalMotion, motion_along
-from .windows import ROUGH, resonance_margin
+from .windows import ROUGH, resonance_margins
 
 DEGREE, MOST = 4, 3                                        # of U; names where h3 is not 0
 
@@ -80,11 +80,6 @@ class _Held(NamedTuple):
         """p² − 4q."""
         return self.p**2 - 4 * self.q
 
-    @property
-    def resonances(self) -> list[tuple[int, int, RationalFunction]]:
-        """m, n and what is 0 where the frequencies are as m to n."""
-        return [(m, n, resonance_margin(self.p, self.q, m, n)) for m, n in ((1, 2), (1, 3))]
-
 
 def window_of(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> Window:
     """As Report.window."""
@@ -93,7 +88,7 @@ def window_of(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> Window:
     ring, (p, q, D4) = held.ring, held[1:]
     signs = Signs(ring, [*domain, *(_factored(ring, x) for x in (p, q, held.discriminant))])
     resonances = []
-    for m, n, at in held.resonances:
+    for m, n, at in resonance_margins(p, q):
         odd, squares = signs.split(at.top, ring.one)
         resonances.append((m, n, ring.expression(prod(squares, start=odd))))
     margin, even = signs.split(D4.top, D4.bottom)
@@ -126,7 +121,8 @@ def cuts_in_windows(motion: LocalMotion, x: Symbol, low: Expr | None, high: Expr
         held = _held("", motion, (), square_roots=True)
     except ScopeError:
         return None
-    margins = [held.p, held.q, held.discriminant, held.D4, *(at for _, _, at in held.resonances)]
+    resonances = [at for _, _, at in resonance_margins(held.p, held.q)]
+    margins = [held.p, held.q, held.discriminant, held.D4, *resonances]
     parts = [_norm(held.ring, part) for value in margins for part in (value.top, value.bottom)]
     if motion.names != {x} or not all(parts):
         return None

@@ -19,22 +19,27 @@ HELD = undecided("the amended potential has a maximum, held by gyroscopic forces
                  "points")
 
 
-def along_stretch(decision: Decision) -> Decision:
-    """What a decision at one point of a stretch says of all, where the margins keep their signs."""
-    return replace(HELD, note=decision.note) if decision.pointwise else decision
+def between_cuts(decision: Decision, twists: bool | None) -> Decision:
+    """What a decision at one point of a window says of all between two of its resonances.
 
-
-def between_resonances(decision: Decision) -> Decision:
-    """What a decision by D4 at one point says of all, where D4 is not 0 and no resonance holds."""
-    if not decision.stable:
-        return HELD
-    return replace(decision, pointwise=False, reason="the amended potential has a maximum, held by "
-                   "gyroscopic forces; D4 is not 0, no resonance to order 4 (Arnold)")
+    If the window is cut at the zeros of D4, too, it says so of each point. If not, of all but single ones: D4
+    is analytic along the window, and not 0 at that point. If resonances are not known, twists None, of none.
+    """
+    if twists is None or decision.rung not in (Rung.TWIST_POSITIVE, Rung.TWIST_NEGATIVE):
+        return replace(HELD, note=decision.note)
+    rung, but = (decision.rung, "") if twists else (Rung.TWIST, ", but for single points")
+    return replace(decision, pointwise=False, rung=rung, reason="the amended potential has a maximum, held "
+                   f"by gyroscopic forces; D4 is not 0, no resonance to order 4{but} (Arnold)")
 
 
 def resonance_margin(p: Any, q: Any, first: int, second: int) -> Any:
     """(m n)² p² − (m² + n²)² q, which is 0 where the frequencies are as m to n [1/T⁴]."""
     return (first * second) ** 2 * p**2 - (first**2 + second**2) ** 2 * q
+
+
+def resonance_margins(p: Any, q: Any) -> list[tuple[int, int, Any]]:
+    """m, n and what is 0 where the frequencies are as m to n, which to order 4 are 1 to 2 and 1 to 3."""
+    return [(m, n, resonance_margin(p, q, m, n)) for m, n in ((1, 2), (1, 3))]
 
 
 def resonances_up_to(order: int) -> list[tuple[int, int]]:
