@@ -4,26 +4,29 @@ axis is the third.
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import combinations
+from typing import TYPE_CHECKING
 
 from sympy import Expr, ImmutableMatrix, S, sqrt
 
+from ..._lazy import loaded
 from ...algebra.reals.exact import Point, evaluate, sign_of_constant
 from ...algebra.solving.margins import Signs
 from ...errors import EquilibriumError
 from ...notation import jet
-from ..scenes.functions_on_sphere import lowest, vanishes
 from ..scenes.kind import Kind
 from ..scenes.system import System, at_numbers, names_of_scene
 from .derived_once import once
 from .equilibrium import Equilibrium
-from .recognition import Recognition, Vector, recognise
+
+if TYPE_CHECKING:
+    from .recognition import Recognition, Vector
 
 
 @dataclass(frozen=True)
 class Seen:
     """An equilibrium of a scene that was recognised, in the standard axes."""
 
-    recognition: Recognition
+    recognition: "Recognition"
     equilibrium: Equilibrium
     where: str = ""
 
@@ -51,7 +54,7 @@ def seen(eq: Equilibrium) -> Seen | None:
     if (
         _plain(eq.system)
         or any(jet(name.name) for name, _ in eq.relations)
-        or not (found := recognise(eq.system))
+        or not (found := _recognised(eq.system))
     ):
         return None
     turned = _turned(found, eq, [eq.insert(x) for x in eq.point])
@@ -76,7 +79,7 @@ def seen_at(eq: Equilibrium, numbers: Point) -> Seen | None:
         if all(not (a - b).free_symbols and sign_of_constant(a - b) for a, b in combinations(moments, 2)):
             return None                                    # proved different: no body of revolution
     here = placed(eq, numbers)
-    if len(here.system.linear_integrals) == 3 or not (found := recognise(here.system)):
+    if len(here.system.linear_integrals) == 3 or not (found := _recognised(here.system)):
         return None
     turned = _turned(found, here, here.point)
     return Seen(found, turned, "at these numbers ") if turned else None
@@ -91,16 +94,22 @@ def placed(eq: Equilibrium, numbers: Point) -> Equilibrium:
     return Equilibrium(eq.label, at_numbers(eq.system, known), point, relations)
 
 
-def _turned(found: Recognition, eq: Equilibrium, point: Sequence[Expr]) -> Equilibrium | None:
+def _recognised(scene: System) -> "Recognition | None":
+    """The body of revolution that a scene is."""
+    return loaded("mechanics.equilibrium.recognition:recognise")(scene)
+
+
+def _turned(found: "Recognition", eq: Equilibrium, point: Sequence[Expr]) -> Equilibrium | None:
     """An equilibrium at a point of the scene, in the standard one and turned to k2 = 0.
 
     None where that is not proved to be one.
 
     As k̇ = 0, ω = omega k with omega = ω·k; its relations and its domain hold as they do in the scene.
     """
+    lowest = loaded("mechanics.scenes.functions_on_sphere:lowest")
     pi, k, moments = point[:3], point[3:], found.standard.body.moments
     k3, across = found.along(k), lowest(1 - found.along(k) ** 2)
-    if vanishes(across):
+    if loaded("mechanics.scenes.functions_on_sphere:vanishes")(across):
         place: Vector = (S.Zero, S.Zero, found.along(pi), S.Zero, S.Zero, S(sign_of_constant(k3)))
     elif across.free_symbols and not _inclined(across, eq):
         return None

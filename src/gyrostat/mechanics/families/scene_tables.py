@@ -4,9 +4,10 @@ from dataclasses import dataclass, field
 from difflib import get_close_matches
 from importlib.resources.abc import Traversable
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from ..._cached import cached_property
+from ..._lazy import loaded
 from ...algebra.text.grammar import parse
 from ...algebra.text.inputs import Written, is_name
 from ...algebra.text.quantities import in_si, not_mixed
@@ -17,11 +18,12 @@ from ..scenes.body import Gyrostat
 from ..scenes.coupled import CoupledPotential
 from ..scenes.entered_potential import axial_potential, general_potential
 from ..scenes.potential import Potential
-from ..scenes.rotors import Rotor, gyrostat_with_rotors
 from ..scenes.system import System, assemble
-from .circular_orbit import circular_orbit
 from .family import Family
 from .named_families import called, in_words, known_families
+
+if TYPE_CHECKING:
+    from ..scenes.rotors import Rotor
 
 LISTS = ("inertia", "gyrostatic_momentum", "point", "state", "release", "integrals")    # of texts or numbers
 # of each rotor, texts or numbers but for the axis
@@ -74,13 +76,15 @@ class SceneTable:
                   for row in inertia]
         if not rotors:
             return Gyrostat(tensor, [in_si(x, "gyrostatic_momentum")[0] for x in momentum])
-        return gyrostat_with_rotors(tensor, self.rotors, lumped=self.table["lumped"])
+        make = loaded("mechanics.scenes.rotors:gyrostat_with_rotors")
+        return make(tensor, self.rotors, lumped=self.table["lumped"])
 
     @cached_property
-    def rotors(self) -> tuple[Rotor, ...]:
+    def rotors(self) -> "tuple[Rotor, ...]":
         """Those that the table has."""
         return tuple(
-            Rotor(rotor["axis"], **{name: in_si(x, name)[0] for name, x in rotor.items() if name != "axis"})
+            loaded("mechanics.scenes.rotors:Rotor")(rotor["axis"], **{
+                name: in_si(x, name)[0] for name, x in rotor.items() if name != "axis"})
             for rotor in self.table.get("rotors", []))
 
     @cached_property
@@ -96,17 +100,15 @@ class SceneTable:
                                      "acts: leave it out, or write an expression in n1, n2, n3, r1, r2, r3")
             orbit = {name: in_si(x, f"orbit {name}")[0] for name, x in self.table["orbit"].items()}
             other = 0 if bare == NONE else parse(text)
-            return circular_orbit(**orbit, potential=other, rotors=self.rotors)
+            make = loaded("mechanics.families.circular_orbit:circular_orbit")
+            return make(**orbit, potential=other, rotors=self.rotors)
         if bare == NONE:
             return None
         if bare in (AXIAL, GENERAL):
             return axial_potential() if bare == AXIAL else general_potential()
         expression = parse(text)
-        return (
-            general_potential(expression)
-            if expression.free_symbols & {symbol("k1"), symbol("k2")}
-            else axial_potential(expression)
-        )
+        asymmetric = expression.free_symbols & {symbol("k1"), symbol("k2")}
+        return general_potential(expression) if asymmetric else axial_potential(expression)
 
     @cached_property
     def family(self) -> Family | None:
@@ -134,9 +136,10 @@ def scene_tables(data: Mapping[str, Any], path: Path | Traversable) -> dict[str,
 def _read(name: str, value: Any) -> Any:
     """An entry, its numbers as texts."""
     if name not in KEYS:
-        near = get_close_matches(name, sorted(KEYS), 1)
-        raise PublishedError(f"a scene has no entry {name}: {f'did you mean {near[0]}? ' if near else ''}its "
-                             f"entries are {', '.join(sorted(KEYS))}")
+        near = get_close_matches(str(name), sorted(KEYS), 1)
+        meant = f"did you mean {near[0]}? " if near else ""
+        raise PublishedError(f"a scene has no entry {brief(str(name))[1:-1]}: {meant}its entries are "
+                             f"{', '.join(sorted(KEYS))}")
     if name in _READ:
         return _READ[name](value)
     if name == "lumped":
@@ -225,7 +228,7 @@ def _values(value: Any) -> dict[str, str]:
         raise PublishedError(f'values = {brief(value)}: write a table, values = {{ I1 = 1.6, l = "1/3" }}')
     texts = {name: _text(number) for name, number in value.items()}
     for name, text in texts.items():
-        if not is_name(name):
+        if not isinstance(name, str) or not is_name(name):
             raise PublishedError(f"values has {brief(name)}, which is not a name: letters, digits and _ make "
                                  "one")
         if text is None:

@@ -6,6 +6,7 @@ from sympy import Expr, I, ImmutableMatrix, Mul, Poly, Pow, S, roots, sqrt
 
 from ..._cached import cached_property
 from ..._display import Shown
+from ..._lazy import loaded
 from ...algebra.rings.matrices import characteristic_coefficients, multiply
 from ...algebra.rings.polynomials import Ring
 from ...arguments import checked
@@ -15,7 +16,6 @@ from ...mechanics.equilibrium.derivation_ring import rows_at_point, signs_over
 from ...mechanics.equilibrium.derived_once import once
 from ...mechanics.equilibrium.equilibrium import Equilibrium
 from ...notation import Stored, symbol
-from .sextic import factors_in_squares
 
 LAMBDA = symbol("lamda")
 
@@ -115,7 +115,8 @@ class Linearization(Shown, Stored):
         I*(pi3_0/2 + sqrt(4*dU + pi3_0**2)/2)
         """
         if len(self.coefficients) == 3:
-            squares = [root for factor in factors_in_squares(self.coefficients) for root in _roots(factor)]
+            factors = loaded("stability.criteria.sextic:factors_in_squares")(self.coefficients)
+            squares = [root for factor in factors for root in _roots(factor)]
             return tuple(s * I * sqrt(-root) for root in squares for s in (1, -1))
         parts = self.frequencies()
         if parts is None:

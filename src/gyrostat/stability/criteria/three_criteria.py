@@ -3,6 +3,7 @@ from collections.abc import Iterable, Sequence
 
 from sympy import Expr, Matrix, S
 
+from ..._lazy import loaded
 from ...algebra.rings.polynomials import lowest_terms
 from ...algebra.solving.margins import Signs
 from ...arguments import checked
@@ -10,13 +11,11 @@ from ...mechanics.equilibrium.derivation_ring import rows_at_point, signs_over
 from ...mechanics.equilibrium.equilibrium import Equilibrium
 from ...mechanics.scenes.kind import Kind
 from ..notion import Notion
-from .amended_form import amended_form, dot
 from .conditions import Criterion, condition_of
 from .energy_casimir import SecondVariation, augmented_hessian, blocks
 from .implication import Item, eliminate, merge, reduced
 from .linearization import Linearization
 from .orientation_form import orientation_form, rests_in_frame
-from .sextic import factors_in_squares, items_of_factors
 
 Minor = tuple[str, int, Expr]                              # its name, its order, what it is
 
@@ -76,9 +75,9 @@ def spectral_criterion(linearization: Linearization) -> Criterion:
 
 def _of_sextic(linearization: Linearization) -> Criterion:
     eq = linearization.equilibrium
-    factors = factors_in_squares(linearization.coefficients)
+    factors = loaded("stability.criteria.sextic:factors_in_squares")(linearization.coefficients)
     signs = signs_over(eq, [c for factor in factors for c in factor])
-    items = items_of_factors(factors, signs)
+    items = loaded("stability.criteria.sextic:items_of_factors")(factors, signs)
     return Criterion(Notion.SPECTRAL, (tuple(condition_of(signs.ring, item, eq) for item in items),))
 
 
@@ -179,10 +178,11 @@ def across(variation: SecondVariation) -> list[Minor]:
         return []
     if len(blocks(variation.matrix.tolist())) > 1:
         return []
-    omega = dot(k, body.inverse * Matrix(eq.point[:3]))
+    omega = loaded("stability.criteria.amended_form:dot")(k, body.inverse * Matrix(eq.point[:3]))
     gradient = [eq.at_point(d) for d in system.potential.gradient()]
     hessian = [row[3:] for row in rows_at_point(eq, system.energy_hessian)[3:]]
-    form = amended_form(body.tensor.tolist(), body.gyrostatic_momentum, gradient, hessian, k, omega)
+    form = loaded("stability.criteria.amended_form:amended_form")(
+        body.tensor.tolist(), body.gyrostatic_momentum, gradient, hessian, k, omega)
     return [("t", 1, lowest_terms(form.trace)), ("s", 2, lowest_terms(form.determinant))]
 
 
