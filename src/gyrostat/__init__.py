@@ -32,7 +32,6 @@ if TYPE_CHECKING:
     from .mechanics.equilibrium.claimed_point import equilibrium
     from .mechanics.equilibrium.equilibrium import Equilibrium
     from .mechanics.equilibrium.parallel_directions import parallel_directions
-    from .mechanics.equilibrium.reduction import reduce
     from .mechanics.equilibrium.unit_vectors import stereographic
     from .mechanics.families.circular_orbit import circular_orbit, earth_pointing
     from .mechanics.families.holding_rotor import earth_pointing_gyrostat
@@ -59,7 +58,6 @@ if TYPE_CHECKING:
     from .parameters.stabilizing_set import stabilizing_set
     from .printing.formats.article import to_latex
     from .stability.criteria.conditions import Condition, Criterion
-    from .stability.damping.energy_sink import energy_sink_criterion
     from .stability.decision import Decision, Rung, Verdict
     from .stability.normal_forms.d4_along_family import Window
     from .stability.normal_forms.normal_form import NormalForm
@@ -76,11 +74,11 @@ __all__ = [
     "Bifurcation", "bifurcation_points", "BifurcationPoint", "bifurcations", "Case", "charts",
     "circular_orbit", "Condition", "Continuation", "continuation", "coupled_potential",
     "CoupledPotential", "Criterion", "CriticalPoint", "Decision", "derivation", "earth_pointing",
-    "earth_pointing_gyrostat", "energy_sink_criterion", "Equilibrium", "equilibrium", "errors",
+    "earth_pointing_gyrostat", "Equilibrium", "equilibrium", "errors",
     "general_potential", "Gyrostat", "gyrostat_with_rotors", "GyrostatArc", "hanging",
     "HeavyContinuation", "ideal_fluid", "inclined", "Interval", "lie_poisson", "LiePoisson", "mechanics",
     "newtonian_field", "NormalForm", "NOTATION", "Notion", "orbital_precession", "parallel_directions",
-    "permanent_rotation", "plotting", "Potential", "principal_rotation", "published", "reduce",
+    "permanent_rotation", "plotting", "Potential", "principal_rotation", "published",
     "relative_equilibria", "RelativeEquilibrium", "release", "Report", "RotationContinuation", "Rotor",
     "Rung", "Solution", "solve_condition", "SolvedCondition", "Spectrum", "spectrum", "stabilizing_set",
     "static_tilt", "staude_cone", "StaudeArc", "StaudeCone", "steady_motion", "stereographic", "symbol",
@@ -102,7 +100,6 @@ __getattr__, __dir__ = _later(__name__, {
     "mechanics.equilibrium.claimed_point": "equilibrium",
     "mechanics.equilibrium.equilibrium": "Equilibrium",
     "mechanics.equilibrium.parallel_directions": "parallel_directions",
-    "mechanics.equilibrium.reduction": "reduce",
     "mechanics.equilibrium.unit_vectors": "stereographic",
     "mechanics.families.circular_orbit": "circular_orbit earth_pointing",
     "mechanics.families.holding_rotor": "earth_pointing_gyrostat",
@@ -117,7 +114,6 @@ __getattr__, __dir__ = _later(__name__, {
     "stability.decision": "Decision Rung Verdict", "stability.notion": "Notion",
     "stability.normal_forms.d4_along_family": "Window",
     "stability.normal_forms.normal_form": "NormalForm",
-    "stability.damping.energy_sink": "energy_sink_criterion",
     "stability.report.analysis": "analyze",
     "stability.report.report": "Report",
     "equilibria.search": "relative_equilibria",
