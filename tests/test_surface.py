@@ -13,7 +13,7 @@ import pytest
 
 import gyrostat as gs
 
-NAMESPACES = ("charts", "derivation", "mechanics", "plotting", "published", "trajectories")
+NAMESPACES = ("charts", "derivation", "mechanics", "plotting", "published", "questions", "trajectories")
 LIST = Path(__file__).with_name("surface.txt")                 # python tests/test_surface.py writes it
 SECTIONS = ("Parameters", "Returns", "Raises", "Notes", "References", "Examples")   # numpydoc's, in its order
 

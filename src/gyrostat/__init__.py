@@ -5,7 +5,8 @@ A scene is a body and a field, `assemble`d into a Lie-Poisson system; its equili
 those solved for parameters (`stabilizing_set`). Beyond that: `gyrostat.derivation`, the steps to the
 conditions one by one; `gyrostat.charts`, verdicts over ranges of parameters; `gyrostat.trajectories`,
 motions; `gyrostat.mechanics`, the classical formulas; `gyrostat.plotting`, pictures; `gyrostat.published`,
-printed formulas checked. What these need is loaded when they are used.
+printed formulas checked; `gyrostat.questions`, a scene as a table in, an answer as data for JSON out. What
+these need is loaded when they are used.
 """
 from importlib import import_module
 from typing import TYPE_CHECKING
@@ -17,7 +18,7 @@ from .cli import start as _start  # noqa: F401 (what Ctrl-C does while the rest 
 from .version import __version__
 
 if TYPE_CHECKING:
-    from . import charts, derivation, mechanics, plotting, published, trajectories
+    from . import charts, derivation, mechanics, plotting, published, questions, trajectories
     from .equilibria.continuation.continuation import Continuation, continuation
     from .equilibria.continuation.free_branches import RotationContinuation
     from .equilibria.continuation.heavy_branches import HeavyContinuation
@@ -78,7 +79,7 @@ __all__ = [
     "general_potential", "Gyrostat", "gyrostat_with_rotors", "GyrostatArc", "hanging",
     "HeavyContinuation", "ideal_fluid", "inclined", "Interval", "lie_poisson", "LiePoisson", "mechanics",
     "newtonian_field", "NormalForm", "NOTATION", "Notion", "orbital_precession", "parallel_directions",
-    "permanent_rotation", "plotting", "Potential", "principal_rotation", "published",
+    "permanent_rotation", "plotting", "Potential", "principal_rotation", "published", "questions",
     "relative_equilibria", "RelativeEquilibrium", "release", "Report", "RotationContinuation", "Rotor",
     "Rung", "Solution", "solve_condition", "SolvedCondition", "Spectrum", "spectrum", "stabilizing_set",
     "static_tilt", "staude_cone", "StaudeArc", "StaudeCone", "steady_motion", "stereographic", "symbol",
@@ -87,7 +88,8 @@ __all__ = [
 ]
 
 __getattr__, __dir__ = _later(__name__, {
-    "charts": "", "derivation": "", "mechanics": "", "plotting": "", "published": "", "trajectories": "",
+    "charts": "", "derivation": "", "mechanics": "", "plotting": "", "published": "", "questions": "",
+    "trajectories": "",
     "mechanics.scenes.body": "Gyrostat symmetric_gyrostat",
     "mechanics.scenes.coupled": "CoupledPotential coupled_potential",
     "mechanics.scenes.entered_potential": "axial_potential general_potential",
