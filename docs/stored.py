@@ -31,7 +31,8 @@ WIDTH, SHAPE = 520, 4 / 3                                  # pixels, twice those
 # 3.10 to 3.11 it is 0.1 to 14 % of the pixels that differ by more, since letters and legends are laid out
 # anew. Therefore both pictures have to be of one version, which every PNG names.
 COLOUR = 32
-TIMES = "# times"                                          # in a cell: its outputs are not twice the same
+# In a cell: its outputs are not twice the same; its picture differs from processor to processor.
+TIMES, ROUNDING = "# times", "# rounding"
 TIME = re.compile(r" *\d+(?:\.\d+)? (?=(?:µs|ms|s)\b)")
 PNG, SOFTWARE = "image/png", re.compile(r"Matplotlib version([\d.]+\d).*")
 
@@ -117,10 +118,13 @@ def executed(notebook: Any) -> Any:
 
 
 def outputs(cell: Any) -> list[dict[str, str]]:
-    """What a cell shows, by kind; of what is timed without the times and the pictures."""
+    """What a cell shows, by kind; without times in what is timed, without pictures there and where it rounds.
+    """
     shown = [dict(each.get("data") or {each["name"]: each["text"]}) for each in cell.get("outputs", ())]
+    if TIMES in cell["source"] or ROUNDING in cell["source"]:
+        shown = [{kind: text for kind, text in each.items() if kind != PNG} for each in shown]
     if TIMES in cell["source"]:
-        return [{kind: TIME.sub(" … ", text) for kind, text in each.items() if kind != PNG} for each in shown]
+        shown = [{kind: TIME.sub(" … ", text) for kind, text in each.items()} for each in shown]
     return shown
 
 

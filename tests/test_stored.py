@@ -52,3 +52,14 @@ def test_an_output_of_a_notebook_is_compared_but_for_its_times():
     for now, said in (("69 right", "stored is '63 right', made '69 right'"),
                       (None, "stored is '63 right', made 'nothing'")):
         assert list(stored.changes("stdout", "63 right", now)) == [said]
+
+
+def test_a_picture_that_rounding_decides_is_not_compared():
+    """Its texts are, as those of any other cell."""
+    def made(source, picture, text="3 wrong"):
+        return stored.outputs({"source": source, "outputs": [
+            {"data": {"image/png": picture}}, {"name": "stdout", "text": text}]})
+
+    rounds = "draw()      # rounding decides these curves"
+    assert made(rounds, "one") == made(rounds, "other") and made("draw()", "one") != made("draw()", "other")
+    assert made(rounds, "one") != made(rounds, "one", "4 wrong")
