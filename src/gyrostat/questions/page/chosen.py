@@ -22,6 +22,7 @@ from ..answers.equilibrium_labels import likely
 
 POINT = "point"                                        # an equilibrium by its coordinates
 EVERY = "every"                                        # all of a scene, at the numbers that the rest names
+_LEVELS = {Kind.FREE: ("M",), Kind.ORBIT: ("",), Kind.REVOLUTION: ("omega", "k3", "pi3_0 C1")}
 
 
 @dataclass(frozen=True)
@@ -90,14 +91,7 @@ class Chosen:
     @cached_property
     def levels(self) -> Sequence[str]:
         """What may be given for all equilibria of the scene."""
-        U = self.scene.potential
-        if U is None:
-            return ("M",)
-        if self.scene.kind is Kind.ORBIT:
-            return ("",)
-        if not U.given:
-            return ()
-        return ("omega", "k3", "pi3_0 C1") if self.scene.kind is Kind.REVOLUTION else ("omega", "C1")
+        return () if self.scene.unspecified else _LEVELS.get(self.scene.kind, ("omega", "C1"))
 
 
 def chosen(scene: Mapping[str, Any]) -> Chosen:

@@ -126,7 +126,7 @@ def moving(report: Report) -> Data:
     eq = report.equilibrium
     coordinates = [x.name for x in eq.system.space.coordinates]
     try:
-        if eq.system.potential is not None and not eq.system.potential.given:
+        if eq.system.unspecified:
             raise ScopeError("a motion needs a field that is given: type U as an expression, such as m0*k3")
         rates = steps_to(eq.system.vector_field())
         state = steps_to(map(eq.insert, eq.point))       # a name of it may be that of a coordinate

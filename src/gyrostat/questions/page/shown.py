@@ -173,8 +173,7 @@ def _between(report: Report, values: Mapping[str, str]) -> Sequence[Block]:
 
 def _own(asked: Chosen, given: Mapping[str, str]) -> dict[str, str]:
     """The values that the question takes; of an unspecified U, every derivative."""
-    U = asked.scene.potential
-    jets = U is not None and not U.given and not asked.every
+    jets = asked.scene.unspecified and not asked.every
     return {name: text for name, text in given.items() if name in asked.names or jets and jet(name)}
 
 
