@@ -29,8 +29,8 @@ class ConditionList:
         found: dict[str, Any] = {"equilibria": [*map(conditions_data, self.reports),
                                                 *(m.data() for m in self.missing)]}
         if self.between:
-            found["windows"] = {label: {"open": found} if isinstance(found, str) else window_data(found)
-                                for label, found in self.between.items()}
+            found["windows"] = {label: {"open": held} if isinstance(held, str) else window_data(held)
+                                for label, held in self.between.items()}
         return found | ({"energy_sink": criterion_data(self.sink)} if self.sink else {})
 
 
