@@ -119,6 +119,12 @@ def _any_direction():
     return gs.permanent_rotation(gs.assemble(body, field))
 
 
+def _held():
+    d, orbit = gs.symbol("d"), gs.circular_orbit()
+    body = gs.Gyrostat([["3/2", d, 0], [d, 2, "1/20"], [0, "1/20", 1]], (0, gs.symbol("l"), 0))
+    return gs.earth_pointing(gs.assemble(gs.earth_pointing_gyrostat(body, orbit), orbit))
+
+
 def _screw():
     return gs.steady_motion(gs.underwater_vehicle(), (0, 0, gs.symbol("p0")),
                             omega=(0, 0, gs.symbol("w")))
@@ -168,6 +174,10 @@ CASES = {
         "potential": "c1*k1 + c3*k3", "direction": "sin(a), 0, cos(a)", "equilibrium": "permanent-rotation"}),
     "any direction": Case(MOMENTS | {"l1": "0", "l2": "0", "l3": "0", "omega": "2", "sigma": "-6", "k1": "1",
                                      "k2": "0", "k3": "0"}, make=_any_direction),
+    "on a circle of one rate": Case({}, {
+        "inertia": [*"123"], "gyrostatic_momentum": [*"000"],
+        "potential": "k1^2/2 + k2^2 + 3*k3^2/2 + (2*k1 + k2 + 2*k3)^2",
+        "point": ["0", "-4/sqrt(5)", "3/sqrt(5)", "0", "-2/sqrt(5)", "1/sqrt(5)"]}, level={"omega": "1"}),
     "an integral that is given": Case({"omega": "5"}, {
         "inertia": ["2", "2", "1"], "gyrostatic_momentum": ["0", "0", "0"], "potential": "-k1",
         "integrals": [KOVALEVSKAYA], "point": ["2*omega", *"00100"]}, level={"omega": "5"}),
@@ -183,6 +193,7 @@ CASES = {
     "on a closed curve": Case({}, {"orbit": "1", "inertia": ["3/2", "9/10", "6/5"], "gyrostatic_momentum": [
         "0", "6/(5*sqrt(2))", "0"], "point": ["0", "9*sqrt(2)/20", "-3*sqrt(2)/5", "0", "sqrt(2)/2",
                                               "-sqrt(2)/2", "0", "sqrt(2)/2", "sqrt(2)/2"]}, level={}),
+    "in orbit, held by a rotor": Case({"d": "1/10", "l": "1/5", "omega0": "1"}, make=_held),
     "cylindrical": Case({"I1": "1", "I3": "8/5", "l": "1", "omega0": "1"}, PRECESSES | {
         "equilibrium": "cylindrical"}, level={}),
     "hyperbolic": Case(TILT | {"I3": "8/5"}, PRECESSES | {"equilibrium": "hyperbolic"}),

@@ -201,6 +201,11 @@ def symbol(name: str) -> Symbol:
     )
 
 
+def components(name: str) -> tuple[Symbol, Symbol, Symbol]:
+    """The symbols of the three components of a vector: k1, k2, k3."""
+    return symbol(f"{name}1"), symbol(f"{name}2"), symbol(f"{name}3")
+
+
 def own(expression: Expr) -> Expr:
     """The same expression in our symbols, matched by name."""
     return expression.xreplace({s: symbol(s.name) for s in expression.free_symbols if s != symbol(s.name)})

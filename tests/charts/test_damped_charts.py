@@ -60,6 +60,17 @@ def test_undecided_where_the_damping_does_not_reach_every_motion():
     assert list(found) == [UNDECIDED, UNSTABLE]
 
 
+def test_names_that_tell_whether_damping_reaches_every_motion_may_be_left_out():
+    """A vehicle on its side: m0 alone is required, and p0 tells where the energy is not least."""
+    vehicle = gs.underwater_vehicle((1, 1, 1), (1, "3/2", 1), weight=(0, 0, m0))
+    level = gs.analyze(gs.steady_motion(vehicle, (0, gs.symbol("p0"), 0), (0, 0, 1)))
+    weights = np.array([1.0, 2.0, -1.0])
+    assert level.secular.compared == ("m0",)
+    assert list(verdicts(level, damped=True, m0=weights)) == [STABLE, STABLE, UNDECIDED]
+    assert list(verdicts(level, damped=True, m0=weights, p0=1)) == [
+        CODE_OF[level.verdict({"m0": weight, "p0": 1}, damped=True).verdict] for weight in weights]
+
+
 @pytest.mark.slow
 def test_a_chart_has_both(tmp_path):
     """The sleeping top is stable from 5/4 on, and under damping from 1/√0.6 on; a store has the same."""

@@ -19,8 +19,12 @@ def test_what_is_near_is_named(capsys, typed, near):
 
 
 def test_a_file_that_cannot_be_read(capsys, tmp_path):
-    """In words, without the number of the system's error."""
-    for name, why in ((tmp_path / "none.toml", "No such file"), (tmp_path, "Is a directory")):
+    """In words, without the number of the system's error; what to do about it is of use."""
+    (tmp_path / "latin.toml").write_bytes(b"\xe9")
+    for name, why, todo in ((tmp_path / "none.toml", "No such file", "check the path"),
+                            (tmp_path, "Is a directory", "check the path"),
+                            (tmp_path / "latin.toml", "", "give a text file in UTF-8")):
         assert main(["decide", "--scene", str(name)]) == 2
         said = capsys.readouterr().err
         assert f"{name}: cannot be read ({why}" in said and "Errno" not in said
+        assert said.endswith(f": {todo}\n")

@@ -1,6 +1,7 @@
 """A decision cannot be misread by a program: neither true nor false, equal to its name, with its scope."""
 import pickle
 
+import numpy as np
 import pytest
 
 import gyrostat as gs
@@ -28,6 +29,13 @@ def test_a_verdict_is_its_name():
         with pytest.raises(ArgumentError, match="compare with 'STABLE', 'UNSTABLE', 'UNDECIDED'"):
             _ = FAST.verdict == wrong
     assert pickle.loads(pickle.dumps(FAST)).verdict is gs.Verdict.STABLE
+
+
+def test_a_notion_is_its_words_and_nothing_else():
+    """An array, a verdict and None are compared with it as well."""
+    assert gs.Notion.SPECTRAL == "spectral" and gs.Notion.SPECTRAL != "formal"
+    for other in (np.array(["spectral", "formal"]), FAST.verdict, None, 1):
+        assert (gs.Notion.SPECTRAL == other) is False
 
 
 def test_what_the_name_leaves_out_is_one_attribute_away():

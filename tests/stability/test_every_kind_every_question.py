@@ -6,6 +6,8 @@ from scene_kinds import CASES
 from sympy import Rational
 
 import gyrostat as gs
+from gyrostat.charts.codes import CODE_OF
+from gyrostat.errors import ScopeError
 
 
 def said(decision):
@@ -44,6 +46,18 @@ def test_the_names_that_are_required_are_enough(case):
     assert said(report.verdict(damped, damped=True)) == said(report.verdict(case.values, damped=True))
     itself = report.itself(given)
     assert said(itself) == said(report.itself(case.values)) or itself.reason.startswith("give ")
+
+
+@pytest.mark.parametrize("damped", [False, True])
+def test_arrays_need_the_same_names(case, damped):
+    """Those without which there is no verdict are enough for arrays too, which then say what it says."""
+    names = (case.report.secular if damped else case.report).compared
+    given = case.jets | {name: case.values[name] for name in names}
+    wanted = case.report.verdict(given, damped)
+    try:
+        assert gs.charts.verdicts(case.report, given, damped=damped) == CODE_OF[wanted.verdict]
+    except ScopeError as refused:                          # no range of k1, k2, k3 stays on the sphere
+        assert "leave the sphere" in str(refused)
 
 
 def test_the_list_says_the_same(case):

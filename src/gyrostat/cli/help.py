@@ -2,7 +2,6 @@
 import argparse
 import re
 import shutil
-from functools import partial
 from pkgutil import get_data
 from textwrap import wrap
 
@@ -107,18 +106,14 @@ class Formatter(argparse.HelpFormatter):
         return super()._format_args(action, default_metavar)
 
     def _fill_text(self, text: str, width: int, indent: str) -> str:
-        return "\n\n".join(map(partial(_part, width), text.split("\n\n")))
+        return "\n\n".join(_typed(part, width) if part.startswith("examples:")
+                           else "\n".join(wrap(part, width, break_on_hyphens=False))
+                           for part in text.split("\n\n"))
 
 
 def examples(verb: str) -> str:
     """What stands below the help of a verb; from a folder, or from part of an archive."""
     return (get_data(__package__, f"examples/{verb}.txt") or b"").decode().strip()
-
-
-def _part(width: int, part: str) -> str:
-    if part.startswith("examples:"):
-        return _typed(part, width)
-    return "\n".join(wrap(part, width, break_on_hyphens=False))
 
 
 def _typed(part: str, width: int) -> str:

@@ -99,7 +99,10 @@ def parser() -> argparse.ArgumentParser:
     motion.add_argument("--precision", type=int, metavar="DIGITS",
                         help="of a table, any number of digits; left out: doubles")
     for verb in (report, conditions, decide, motion, *kinds, chart, verify):
-        _timeout(verb, None if verb in (chart, verify) else LIMIT)
+        limit = None if verb in (chart, verify) else LIMIT
+        verb.add_argument("--timeout", type=_seconds, default=limit, metavar="SECONDS",
+                          help="the verb is ended when it has taken so long, of a batch the line; "
+                          f"none: never; left out: {'none' if limit is None else f'{limit:g}'}")
     for verb in (report, conditions, decide, motion, verify):
         verb.add_argument("--output", metavar="FILE", help="write to a file instead of the terminal" + (
             ": motion.csv, .nc, .png, .pdf, .svg, .gif or .mp4" if verb is motion else ""))
@@ -171,12 +174,6 @@ def _kinds(plot: Parser) -> list[Parser]:
     for kind in kinds.choices.values():
         kind.add_argument("--output", metavar="FILE", help="a .png, .pdf or .svg")
     return list(kinds.choices.values())
-
-
-def _timeout(verb: argparse.ArgumentParser, default: float | None) -> None:
-    verb.add_argument("--timeout", type=_seconds, default=default, metavar="SECONDS",
-                      help="the verb is ended when it has taken so long, of a batch the line; "
-                      f"none: never; left out: {'none' if default is None else f'{default:g}'}")
 
 
 def _line(text: str) -> int:

@@ -135,7 +135,5 @@ class Context:
 
     def over(self, plain: Expr, root: Expr, bottom: Expr) -> Expr:
         """(plain + root)/bottom, each part in lowest terms."""
-        parts = []
-        for top in (plain, root):
-            parts.append(lowest_terms(self.insert(top) / self.insert(bottom)))
-        return parts[0] + parts[1]
+        below = self.insert(bottom)
+        return lowest_terms(self.insert(plain) / below) + lowest_terms(self.insert(root) / below)

@@ -2,7 +2,7 @@
 
 All other parameters are numbers; the verdict is proved between the cuts and at them.
 """
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from functools import cache, partial
 from itertools import pairwise
@@ -35,25 +35,27 @@ def cut(report: Report, x: Symbol, numbers: Point, low: Expr | None, high: Expr 
     everywhere = not report.sufficient.alternatives or any(map(is_identically_zero, placed))
     if everywhere and report.between:                      # on the boundary whatever x is
         placed += [e.xreplace(numbers) for e in report.between.ladder()]
-    elif everywhere and _degenerate(report, numbers):
+    elif everywhere and is_identically_zero(report.determinant[0].xreplace(numbers)):
         raise ScopeError(f"the second variation is degenerate whatever {x} is: ask for verdicts at numbers")
     polynomials = [f for e in placed if x in e.free_symbols for f in _numerators(e, x)]
     ends = real_roots(Mul(*polynomials), x, low, high) or []
     bounds: list[Expr] = [-oo if low is None else low, *ends, oo if high is None else high]
-    cells: list[Cell] = []
-    windows = cache(partial(_in_window, report, x, numbers, low, high))
-    for n, (a, b) in enumerate(zip(bounds, bounds[1:])):
+    return list(_cells(report, x, numbers, bounds, cache(partial(_in_window, report, x, numbers, low, high))))
+
+
+def _cells(report: Report, x: Symbol, numbers: Point, bounds: Sequence[Expr],
+           windows: Callable[[], list[Expr] | None] | None = None) -> Iterator[Cell]:
+    """Between the bounds, all that is at one point; at them each by itself. Windows are cut further."""
+    for n, (a, b) in enumerate(pairwise(bounds)):
         if n:
-            cells.append((a, a, stable_at(report, x, a, numbers)))
+            yield a, a, stable_at(report, x, a, numbers)
         decision = _decision(report, x, between(a, b), numbers)
-        if decision is None or not decision.pointwise:
-            cells.append((a, b, _stable(decision)))
-            continue
-        if (inside := windows()) is None:
-            cells.append((a, b, None))
+        if windows is None or decision is None or not decision.pointwise:
+            yield a, b, _stable(decision)
+        elif (inside := windows()) is None:
+            yield a, b, None
         else:
-            cells += _window(report, x, numbers, [a, *(c for c in inside if _lies(c, a, b)), b])
-    return cells
+            yield from _cells(report, x, numbers, [a, *(c for c in inside if _lies(c, a, b)), b])
 
 
 def _in_window(report: Report, x: Symbol, numbers: Point, low: Expr | None,
@@ -72,14 +74,6 @@ def _in_window(report: Report, x: Symbol, numbers: Point, low: Expr | None,
     return cuts_in_windows(motion, x, low, high)
 
 
-def _window(report: Report, x: Symbol, numbers: Point, bounds: Sequence[Expr]) -> Iterator[Cell]:
-    """Between the bounds, all that is at one point; at them each by itself."""
-    for n, (a, b) in enumerate(pairwise(bounds)):
-        if n:
-            yield a, a, stable_at(report, x, a, numbers)
-        yield a, b, stable_at(report, x, between(a, b), numbers)
-
-
 def _lies(x: Expr, low: Expr, high: Expr) -> bool:
     return (low == -oo or proved_sign(x - low) == 1) and (high == oo or proved_sign(high - x) == 1)
 
@@ -89,12 +83,6 @@ def _numerators(expression: Expr, x: Symbol) -> list[Expr]:
     ring = Ring([expression])
     parts = [ring.expression(ring.reduce(part)) for part in ring.fraction(expression)]
     return [part for part in parts if x in part.free_symbols]
-
-
-def _degenerate(report: Report, numbers: Point) -> bool:
-    """Whether the determinant of the linearised field vanishes for every value of the parameter."""
-    determinant = report.equilibrium.insert(report.linearization.coefficients[-1]).xreplace(numbers)
-    return bool(is_identically_zero(determinant))
 
 
 def stable_at(report: Report, x: Symbol, value: Expr, numbers: Point) -> bool | None:

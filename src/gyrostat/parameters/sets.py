@@ -15,6 +15,7 @@ from ..arguments import checked
 from ..errors import ValuesError
 from ..notation import Stored, symbol
 from ..stability.criteria.numbers_asked import is_positive
+from ..stability.criteria.truth import some_proved
 
 Ladder = tuple[Expr, ...]
 # the signs that a value has which compares so with 0
@@ -173,10 +174,7 @@ def _in_part(part: SolvedCondition, name: Symbol, numbers: Point) -> bool | None
         if any(s is None for s, _ in compared):
             unknown = True
         elif all(sign in _SIGNS[relation] for sign, relation in compared):
-            answers = [_inside(interval, numbers[name], numbers) for interval in case.intervals]
-            if True in answers:
-                return True
-            return None if None in answers else False
+            return some_proved(_inside(interval, numbers[name], numbers) for interval in case.intervals)
     return None if unknown else False
 
 

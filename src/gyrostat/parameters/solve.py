@@ -100,20 +100,14 @@ def _quadratic(context: Context, a: Expr, b: Expr, c: Expr) -> Iterator[Case]:
                 continue
             ends = k.over(-b, S.Zero, 2 * a)
             if real == 0:
-                at_end = k.ladder(ends)
-                yield (
-                    k.beyond(ends, ends)
-                    if sign > 0
-                    else k.case(*[Interval(ends, ends, at_end, at_end)] if at_end else [])
-                )
+                yield k.beyond(ends, ends) if sign > 0 else k.case(*_point(ends, k.ladder(ends)))
                 continue
             root = k.root(b**2 - 4 * a * c)
             low, high = k.over(-b, -sign * root, 2 * a), k.over(-b, sign * root, 2 * a)
-            yield (
-                k.beyond(low, high)
-                if sign > 0
-                else k.case(Interval(low, high, k.ladder(low), k.ladder(high)))
-            )
+            if sign > 0:
+                yield k.beyond(low, high)
+            else:
+                yield k.case(Interval(low, high, k.ladder(low), k.ladder(high)))
 
 
 def _linear(context: Context, b: Expr, c: Expr) -> Iterator[Case]:

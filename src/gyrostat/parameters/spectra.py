@@ -8,7 +8,7 @@ import numpy as np
 from sympy import Expr, Rational, Symbol
 
 from ..algebra.enclosures.floats import Array, doubles, in_floats
-from ..algebra.reals.exact import evaluate, sign_of_constant
+from ..algebra.reals.exact import sign
 from ..algebra.rings.polynomials import Ring
 from ..algebra.solving.roots import in_order
 from ..algebra.solving.zeros import changes_of_sign, inner, zeros_inside, zeros_of
@@ -135,9 +135,8 @@ def spectrum(eq: Equilibrium, name: str, samples: Sequence[float],
         touched |= {zero: None for c in told for factor in (c.margin, *c.degenerate)
                     for zero in zeros_inside(eq.insert(factor).xreplace(numbers), free, low, high)}
     cuts = [low, *in_order(list(touched | {zero: None for of_part in zeros for zero in of_part})), high]
-    stable = [all(sign_of_constant(evaluate(eq.insert(c.margin).xreplace(numbers), {free: inner(a, b)}))
-                  != -1 for _, conditions in parts for c in conditions)
-              for a, b in pairwise(cuts)]
+    stable = [all(sign(eq.insert(c.margin).xreplace(numbers), {free: inner(a, b)}) != -1
+                  for _, conditions in parts for c in conditions) for a, b in pairwise(cuts)]
     collisions = [_collision(of_part[zero], zero, part, free, before != after)
                   for zero, before, after in zip(cuts[1:], stable, stable[1:])
                   for part, of_part in zip(placed, zeros) if zero in of_part]
@@ -168,9 +167,8 @@ def _exists(eq: Equilibrium, coefficients: Sequence[Expr], numbers: Mapping[Symb
     """Refuse a range in which there is somewhere no such equilibrium."""
     for e in [*eq.existence(), *eq.system.body.positive, *([free] if free.is_positive else [])]:
         placed = e.xreplace(dict(numbers))
-        if placed.free_symbols == {free} and (sign_of_constant(evaluate(placed, {free: low})) != 1
-                                              or sign_of_constant(
-                evaluate(placed, {free: high})) != 1 or changes_of_sign(placed, free, low, high)):
+        if placed.free_symbols == {free} and (any(sign(placed, {free: end}) != 1 for end in (low, high))
+                                              or changes_of_sign(placed, free, low, high)):
             raise ValuesError(f"{free} goes from {low} to {high}, and {eq.label} exists only where {e} > "
                               "0: give a range inside")
     for c in coefficients:
@@ -208,9 +206,9 @@ def _roots(coefficients: Sequence[Expr], free: Symbol, at: Array, inner: Rationa
                 for c in coefficients)
     if not rest:
         return np.stack([np.sqrt(-p + 0j), -np.sqrt(-p + 0j)], axis=1)
-    sign = sign_of_constant(evaluate(coefficients[0] ** 2 - 4 * coefficients[1], {free: inner})) or 0
-    square = np.sqrt(np.abs(p**2 - 4 * rest[0])) if sign else np.zeros_like(p)
-    if sign < 0:                                           # a complex quadruple
+    side = sign(coefficients[0] ** 2 - 4 * coefficients[1], {free: inner}) or 0
+    square = np.sqrt(np.abs(p**2 - 4 * rest[0])) if side else np.zeros_like(p)
+    if side < 0:                                           # a complex quadruple
         one = np.sqrt((-p + 1j * square) / 2)
         return np.stack([one, -one, one.conj(), -one.conj()], axis=1)
     first, second = np.sqrt((-p + square) / 2 + 0j), np.sqrt((-p - square) / 2 + 0j)
@@ -219,7 +217,7 @@ def _roots(coefficients: Sequence[Expr], free: Symbol, at: Array, inner: Rationa
 
 def _collision(source: str, zero: Expr, coefficients: Sequence[Expr], free: Symbol,
                changes: bool) -> Collision:
-    value, p = float(zero), sign_of_constant(evaluate(coefficients[0], {free: zero}))
+    value, p = float(zero), sign(coefficients[0], {free: zero})
     if source in ("p", "q") or not p or _one_pair(coefficients):
         return Collision(value, "zero eigenvalue", changes, np.zeros(1, dtype=complex))
     root = np.sqrt(complex(-float(in_floats(coefficients[0], np, {free: np.float64(value)})) / 2))

@@ -20,7 +20,7 @@ from ..mechanics.equilibrium.unit_vectors import in_any_direction
 from ..mechanics.families.tilted import inclined
 from ..notation import jet, symbol
 from ..stability.criteria.conditions import Condition
-from ..stability.criteria.numbers_asked import refuse_any_direction, unknown
+from ..stability.criteria.numbers_asked import left_open, refuse_any_direction, unknown
 from ..stability.report.analysis import analyze
 from ..stability.report.report import Report
 from .line_decomposition import cut, joined, stable_at
@@ -78,7 +78,7 @@ def stabilizing_set(report: Report, name: str, values: Mapping[str, Any] | None 
         raise ValuesError(unknown(foreign[0], sorted(known), eq.label))
     if symbol(name) in numbers:
         raise ValuesError(f"{name} is solved for and given: leave out one of the two")
-    left = [n for n in report.required if symbol(n) not in numbers and n != name]
+    left = [n for n in left_open(report.required, numbers) if n != name]
     tied = [n for n in eq.eliminated if n == name or symbol(n) in numbers]
     if tied and len(eq.eliminated) > 1:
         raise ScopeError(f"{eq.label} expresses {', '.join(eq.eliminated)} by the other names: leave out "
@@ -98,17 +98,13 @@ def stabilizing_set(report: Report, name: str, values: Mapping[str, Any] | None 
                              f"{'a number' if ',' not in needed else 'numbers'} for {needed}{leave}")
         if (parts := _where_tied(report, symbol(tied[0]), name, numbers)) is not None:
             return Solution(name, parts)
-    try:
-        return Solution(name, _in_numbers(report, name, numbers) if not left
-                        else _in_symbols(report, name, numbers))
-    except ScopeError as reason:
-        if left:
-            raise
-        failed = reason
-    # a transcendental number or U is solved in closed form, or not at all
-    try:
+    if left:
         return Solution(name, _in_symbols(report, name, numbers))
-    except ScopeError:
+    try:
+        return Solution(name, _in_numbers(report, name, numbers))
+    except ScopeError as failed:                           # a transcendental number or U: in closed form
+        with contextlib.suppress(ScopeError):
+            return Solution(name, _in_symbols(report, name, numbers))
         raise failed from None
 
 

@@ -9,6 +9,7 @@ from sympy import Expr, oo
 from ..algebra.enclosures.floats import Array, in_floats
 from ..equilibria.curves.gyrostat_arcs import GyrostatArc
 from ..equilibria.curves.staude_arcs import Piece, StaudeArc
+from .globe import refined
 
 ROUNDS, FIRST = 12, 33                                 # halvings; values of the parameter at first
 Arc = StaudeArc | GyrostatArc
@@ -49,14 +50,7 @@ def directions(arc: Arc, piece: Piece, step: float) -> Array:
 def halved(place: Callable[[Array], Array], first: Array, last: Array, step: float) -> Array:
     """Places at values from 0 to 1, halved where two are further apart than a step."""
     t = np.linspace(0, 1, FIRST)
-    found = np.vstack([first, place(t[1:-1]), last])
-    for _ in range(ROUNDS):
-        wide = np.flatnonzero(np.linalg.norm(np.diff(found, axis=0), axis=1) > step)
-        if not len(wide):
-            break
-        middle = (t[wide] + t[wide + 1]) / 2
-        found, t = np.insert(found, wide + 1, place(middle), axis=0), np.insert(t, wide + 1, middle)
-    return found
+    return refined(place, t, np.vstack([first, place(t[1:-1]), last]), step, ROUNDS)
 
 
 def placed(arc: Arc, piece: Piece, t: Array) -> Array:

@@ -14,9 +14,9 @@ from ..errors import optional
 from ..mechanics.scenes.potential import DIRECTIONS
 from ..mechanics.scenes.system import System
 from ..stability.decision import Verdict
-from .globe import across, circle, curve_on, dots_on, stage
+from .globe import across, circle, curves_of, dots_of, stage
 from .headings import heading, of_scene
-from .looks import BLUE, DARK, axes_of, label, legend, line, marker, named
+from .looks import BLUE, DARK, axes_of, label, legend, line, marker
 from .scene_numbers import numbers_of
 
 CURVES, CELLS = 14, 96                                     # levels; cells along an edge of the cube
@@ -81,36 +81,29 @@ def draw_amended_potential(scene: System, values: Mapping[str, Any] | None = Non
     ax = axes_of(ax, three=True)
     eye = stage(ax, 1.0, [label(f"k{n}") for n in (1, 2, 3)])
     style = {"color": BLUE, "linewidth": 0.7, **kwargs}
-    for curve in _level_curves(potential):
-        curve_on(ax, curve, eye, **style)
-    handles = [named(style, "level curve")]
+    handles = curves_of(ax, _level_curves(potential), style, "level curve", eye)
     heavy = {"color": DARK, "linewidth": 1.8}
     saddles = [point for point in points if point.kind == "saddle" and not point.rotation.locus]
-    for curve in _separatrices(potential, np.array([_place(point) for point in saddles])):
-        curve_on(ax, curve, eye, **heavy)
-    handles += [named(heavy, "through a saddle")] if saddles else []
+    through = _separatrices(potential, np.array([_place(point) for point in saddles]))
+    handles += curves_of(ax, through, heavy, "through a saddle", eye)
     legend(ax, [*handles, *_marked(ax, points, eye)], title=heading(ax, *of_scene(scene, values or {})))
     return ax
 
 
 def _marked(ax: Any, points: Sequence[CriticalPoint], eye: Array) -> list[Any]:
     """The critical points by kind and verdict, curves as lines; what stands in the legend for them."""
-    handles = []
+    handles: list[Any] = []
     for point in points:
         if point.rotation.locus:
-            style = line(point.rotation.decision.verdict)
-            for curve in _continuum(point):
-                curve_on(ax, curve, eye, **style)
+            verdict = point.rotation.decision.verdict
             what = "circle" if point.rotation.form.curve is None else "curve"
-            handles.append(named(style, f"{what}, {point.rotation.decision.verdict.name.lower()}"))
+            handles += curves_of(ax, _continuum(point), line(verdict), f"{what}, {verdict.name.lower()}", eye)
     for kind, shape in SHAPES.items():
         for verdict in Verdict:
             places = [_place(point) for point in points if point.kind == kind
                       and not point.rotation.locus and point.rotation.decision.verdict is verdict]
-            if places:
-                style = {**marker(verdict), "marker": shape}
-                dots_on(ax, np.array(places), eye, **style)
-                handles.append(named(style, f"{kind}, {verdict.name.lower()}"))
+            handles += dots_of(ax, places, {**marker(verdict), "marker": shape},
+                               f"{kind}, {verdict.name.lower()}", eye)
     return handles
 
 

@@ -14,13 +14,14 @@ from ..equilibria.continuation.continuation import Continuation, continuation
 from ..equilibria.continuation.free_branches import RotationContinuation
 from ..equilibria.continuation.heavy_branches import HeavyContinuation
 from ..equilibria.continuation.meeting_values import BifurcationPoint
-from ..equilibria.continuation.piece_and_mark import INFINITE, Mark, Piece
+from ..equilibria.continuation.piece_and_mark import INFINITE, Piece
 from ..equilibria.finders.free import LENGTH
 from ..mechanics.families.named_families import E1, E2, E3
 from ..mechanics.scenes.system import System
 from ..notation import symbol
 from ..printing.letters import letters_of
 from ..stability.decision import Verdict
+from .globe import dots_of
 from .headings import heading, of_scene, of_sphere
 from .looks import DARK, axes_of, axis, label, legend, line, marker, named, with_dimension
 
@@ -99,15 +100,9 @@ def draw_bifurcation_diagram(scene: System, name: str, ends: tuple[Any, Any], va
         alone = len(piece.parameter) == 1
         ax.plot(piece.parameter, piece.k3, **{**(marker if alone else line)(piece.verdict), "clip_on": False,
                                               **({} if alone else kwargs)})
-    handles = _verdicts(found, kwargs)
-    for kind, shape in {**MEETINGS, **CHANGES}.items():
-        if marks := [mark for mark in found.marks if mark.kind == kind]:
-            style = _style(marks[0], shape)
-            ax.plot([float(mark.value) for mark in marks], [float(mark.k3) for mark in marks], zorder=4,
-                    clip_on=False, **style)
-            handles.append(named(style, f"changes: {kind}" if kind in CHANGES else kind))
+    handles = [*_verdicts(found, kwargs), *_marks(found, ax, {**MEETINGS, **CHANGES}, _k3)]
     low, high = (float(exact_number(end, name)) for end in ends)
-    ax.set(xlim=(low, high), ylim=(-1.1, 1.1))
+    ax.set(xlim=(low, high), ylim=(-1.1, 1.1), xlabel=axis(name), ylabel=label("k3"))
     for text, height in _names(found, high):
         ax.annotate(text, (1, height), xytext=(4, 0), xycoords=ax.get_yaxis_transform(),
                     textcoords="offset points", va="center")
@@ -117,8 +112,6 @@ def draw_bifurcation_diagram(scene: System, name: str, ends: tuple[Any, Any], va
         ax.annotate(piece.label, (piece.parameter[n], piece.k3[n]), xytext=(5, 5 if above else -5),
                     textcoords="offset points",
                     va="bottom" if above else "top")
-    ax.set_xlabel(axis(name))
-    ax.set_ylabel(label("k3"))
     legend(ax, handles, 2, heading(ax, *of_scene(scene, values)))
     return ax
 
@@ -131,7 +124,7 @@ def _draw_rotations(found: RotationContinuation, scene: System, name: str,
     for piece in found.pieces:
         height = piece.nu if entry is None else piece.momentum[:, entry]
         ax.plot(piece.parameter, height, **{**line(piece.verdict), "clip_on": False, **kwargs})
-    handles = [*_lines_of(found, kwargs), *_meetings_of(found, ax, lambda mark: _height(mark, entry))]
+    handles = [*_lines_of(found, kwargs), *_marks(found, ax, ROTATIONS, lambda mark: _height(mark, entry))]
     ends = [float(end) for piece in found.pieces for end in piece.parameter[[0, -1]]]
     ax.set(xlim=(min(ends), max(ends)))
     ax.set_xlabel(with_dimension("$|M|$", MOMENTUM) if name == LENGTH.name else axis(name))
@@ -148,15 +141,14 @@ def _draw_heavy(found: HeavyContinuation, scene: System, name: str, values: Mapp
     """Of a body in a field that is not of revolution."""
     for piece in found.pieces:
         ax.plot(piece.parameter, piece.k[:, 2], **{**line(piece.verdict), "clip_on": False, **kwargs})
-    handles = [*_lines_of(found, kwargs), *_meetings_of(found, ax, _k3)]
+    handles = [*_lines_of(found, kwargs), *_marks(found, ax, ROTATIONS, _k3)]
     ends = [float(end) for piece in found.pieces for end in piece.parameter[[0, -1]]]
     ax.set(xlim=(min(ends), max(ends)), ylim=(-1.1, 1.1), xlabel=axis(name), ylabel=label("k3"))
     legend(ax, handles, 3, heading(ax, *of_scene(scene, values)))
     return ax
 
 
-def _k3(mark: BifurcationPoint) -> float:
-    assert mark.k3 is not None
+def _k3(mark: Any) -> float:
     return float(mark.k3)
 
 
@@ -166,29 +158,26 @@ def _lines_of(found: RotationContinuation | HeavyContinuation, kwargs: Mapping[s
             if verdict in {piece.verdict for piece in found.pieces}]
 
 
-def _meetings_of(found: RotationContinuation | HeavyContinuation, ax: Any,
-                 height: Callable[[BifurcationPoint], float]) -> list[Any]:
-    """The marks, and what stands in the legend for them."""
-    handles = []
-    for kind, shape in ROTATIONS.items():
+def _marks(found: Continuation | RotationContinuation | HeavyContinuation, ax: Any,
+           shapes: Mapping[str, str], height: Callable[[Any], float]) -> list[Any]:
+    """The marks, full where stability changes, open where branches meet or end without a change.
+
+    Returned is what stands in the legend for them.
+    """
+    handles: list[Any] = []
+    for kind, shape in shapes.items():
         if marks := [mark for mark in found.marks if mark.kind == kind]:
             style = {"color": DARK, "marker": shape, "markersize": 6, "linestyle": "none",
-                     "markerfacecolor": "white"}
-            ax.plot([float(mark.value) for mark in marks], [height(mark) for mark in marks], zorder=4,
-                    clip_on=False, **style)
-            handles.append(named(style, kind))
+                     "markerfacecolor": DARK if kind in CHANGES else "white"}
+            places = [(float(mark.value), height(mark)) for mark in marks]
+            said = f"changes: {kind}" if kind in CHANGES else kind
+            handles += dots_of(ax, places, style, said, clip_on=False)
     return handles
 
 
 def _height(mark: BifurcationPoint, entry: int | None) -> float:
     assert mark.nu is not None and mark.momentum is not None
     return float(mark.nu if entry is None else mark.momentum[entry])
-
-
-def _style(mark: Mark, shape: str) -> dict[str, Any]:
-    """Full where stability changes, open where branches meet or end without a change."""
-    face = DARK if mark.kind in CHANGES else "white"
-    return {"color": DARK, "marker": shape, "markersize": 6, "linestyle": "none", "markerfacecolor": face}
 
 
 def _verdicts(found: Continuation, kwargs: Mapping[str, Any]) -> list[Any]:

@@ -85,9 +85,8 @@ def draw_chart(ds: Any, ax: Any = None, *, title: str | None = None, **kwargs: A
     if destroyed.any():
         _hatched(ax, x, y, edges, destroyed, DESTROYED)
     drawn = curves(ax, ds, dims, edges)
-    ax.set(xlim=(edges[0][0], edges[0][-1]), ylim=(edges[1][0], edges[1][-1]))
-    ax.set_xlabel(_label(seen[dims[1]]))
-    ax.set_ylabel(_label(seen[dims[0]]))
+    ax.set(xlim=(edges[0][0], edges[0][-1]), ylim=(edges[1][0], edges[1][-1]),
+           xlabel=_label(seen[dims[1]]), ylabel=_label(seen[dims[0]]))
     shown = [name for name, where in occurring.items() if _visible(where & ~destroyed)]
     names = {name: name.replace("_", " ") for name in shown} | _modulo(ds, shown)
     if _visible(destroyed):

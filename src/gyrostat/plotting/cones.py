@@ -32,9 +32,9 @@ class Cone:
     axis: Array
     angle: float
 
-    def rim(self, n: int = 121) -> Array:
-        """The generators of length 1, end points, shape (n, 3)."""
-        return circle(self.axis, np.sin(self.angle), np.cos(self.angle), n)
+    def rim(self) -> Array:
+        """The generators of length 1, end points, shape (121, 3)."""
+        return circle(self.axis, np.sin(self.angle), np.cos(self.angle), 121)
 
     def outline(self, eye: Array) -> Array:
         """End points of the generators at the edge of the cone as it is seen, shape (2 or 0, 3)."""

@@ -21,11 +21,13 @@ from ..mechanics.scenes.system import System
 from ..notation import symbol
 from ..printing.letters import letters_of
 from ..stability.decision import Verdict
+from .globe import dots_of
 from .headings import heading, of_scene
 from .looks import BLUE, DARK, GREY, axes_of, axis, label, legend, marker, meaning, named
 from .scene_numbers import numbers_of
 
 THETA = symbol("theta")
+ANGLES = 801                                               # beside those about what is special
 
 
 @dataclass(frozen=True)
@@ -53,7 +55,7 @@ class Well:
     level: bool
 
 
-def well(scene: System, values: Mapping[str, Any], energy: Any = None, n: int = 801) -> Well:
+def well(scene: System, values: Mapping[str, Any], energy: Any = None) -> Well:
     """V(θ), its critical points with their verdicts, exact and complete, and where a motion of an energy
     goes.
 
@@ -61,8 +63,6 @@ def well(scene: System, values: Mapping[str, Any], energy: Any = None, n: int = 
     ----------
     scene, values, energy
         as in draw_effective_potential
-    n : int
-        angles, beside those about what is special
 
     Examples
     --------
@@ -101,20 +101,19 @@ def well(scene: System, values: Mapping[str, Any], energy: Any = None, n: int = 
                  if sign_of_constant(g.xreplace({K3: between(a, b)})) == 1]
     beside = [float(np.arccos(float(k3))) for k3 in (*turning_points, *infinite)]
     beside += [theta for theta, _, _ in found]
-    theta = _angles(n, [0.0, np.pi, *beside])
+    theta = _angles([0.0, np.pi, *beside])
     height = np.array(np.broadcast_to(in_floats(potential, np, {THETA: theta}), theta.shape), dtype=float)
     for k3 in infinite:
         at_pole = float(np.arccos(float(k3)))
-        place = np.searchsorted(theta, at_pole)
-        place += int(place < len(theta) and theta[place] == at_pole)
+        place = np.searchsorted(theta, at_pole, side="right")
         theta, height = np.insert(theta, place, at_pole), np.insert(height, place, np.nan)
     return Well(theta, height, found, turning_points, reach, any(form.every for form in forms))
 
 
-def _angles(n: int, special: Sequence[float]) -> Array:
+def _angles(special: Sequence[float]) -> Array:
     """Evenly spaced angles inside (0, π), and others ever closer to the special ones."""
-    offsets = np.pi / (n + 1) * 0.5 ** np.arange(10)
-    places = [np.linspace(0, np.pi, n + 2)[1:-1],
+    offsets = np.pi / (ANGLES + 1) * 0.5 ** np.arange(10)
+    places = [np.linspace(0, np.pi, ANGLES + 2)[1:-1],
               *(at + side * offsets for at in special for side in (1, -1)), np.array(special)]
     theta = np.unique(np.concatenate(places))
     return theta[(theta > 0) & (theta < np.pi)]
@@ -187,15 +186,11 @@ def draw_effective_potential(scene: System, values: Mapping[str, Any], energy: A
         handles.append(named(_energy(ax, found, heights[-1]), "motion at the energy"))
     for verdict in Verdict:
         points = [(x, y) for x, y, branch in found.equilibria if branch.decision.verdict is verdict]
-        if points:
-            ax.plot(*np.array(points).T, zorder=4, clip_on=False, **marker(verdict))
-            decisions = [branch.decision for *_, branch in found.equilibria
-                         if branch.decision.verdict is verdict]
-            handles.append(named(marker(verdict), meaning(verdict, decisions)))
+        decisions = [branch.decision for *_, branch in found.equilibria if branch.decision.verdict is verdict]
+        handles += dots_of(ax, points, marker(verdict), meaning(verdict, decisions), clip_on=False)
     ax.set_xticks(np.pi / 4 * np.arange(5), ["$0$", r"$\pi/4$", r"$\pi/2$", r"$3\pi/4$", r"$\pi$"])
-    ax.set_xlabel(label("theta"))
     letters = letters_of(scene)
-    ax.set_ylabel(axis(letters.of("V"), (1, 2, 0)))
+    ax.set(xlabel=label("theta"), ylabel=axis(letters.of("V"), (1, 2, 0)))
     shown = {} if energy is None else {letters.of("h"): energy}
     legend(ax, handles, 2, heading(ax, *of_scene(scene, {**values, **shown})))
     return ax

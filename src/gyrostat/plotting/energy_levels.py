@@ -11,6 +11,7 @@ from ..mechanics.scenes.body import Gyrostat
 from ..mechanics.scenes.system import System, assemble
 from ..stability.decision import Verdict
 from ..trajectories import motion
+from .globe import refined
 
 # of a turn at first; the longest chord; of halving, and of Newton's method
 TIMES, STEP, STEPS = 128, 0.03, 40
@@ -147,13 +148,7 @@ def _turn(scene: System, seed: Array, rotor: Array, radius: float) -> Array:
     if not moved.period:
         return seed[None]
     times = np.linspace(0, moved.period, TIMES + 1)
-    M = moved(times) + rotor
-    for _ in range(STEPS):
-        wide = np.flatnonzero(np.linalg.norm(np.diff(M, axis=0), axis=1) > STEP * radius)
-        if not len(wide):
-            break
-        between = (times[wide] + times[wide + 1]) / 2
-        times, M = np.insert(times, wide + 1, between), np.insert(M, wide + 1, moved(between) + rotor, axis=0)
+    M = refined(lambda t: moved(t) + rotor, times, moved(times) + rotor, STEP * radius, STEPS)
     M[-1] = M[0]
     return M
 

@@ -18,6 +18,7 @@ from ..mechanics.scenes.system import System
 from ..printing.letters import letters_of
 from ..stability.decision import Verdict
 from ..stability.notion import Notion
+from .globe import dots_of
 from .headings import heading, of_scene
 from .looks import DARK, axes_of, axis, legend, line, marker, named
 from .scene_numbers import numbers_of
@@ -135,13 +136,10 @@ def draw_energy_momentum(scene: System, values: Mapping[str, Any],
     if seen := [name for name in focus if name in poles]:
         handles.append(named(marker(Verdict.UNSTABLE), f"{', '.join(seen)}: unstable, focus-focus"))
     cusps = [cusp for cusp in found.cusps if _inside(*cusp, shown)]
-    if cusps:
-        style = {"color": DARK, "marker": "D", "markersize": 4.5, "linestyle": "none"}
-        ax.plot(*np.array(cusps).T, zorder=4, **style)
-        handles.append(named(style, "changes: fold on a level"))
-    ax.set(xlim=(left, right), ylim=(low, high))
-    ax.set_xlabel(axis("C1", (1, 1, 0)))
-    ax.set_ylabel(axis(letters_of(scene).of("h"), (1, 2, 0)))
+    style = {"color": DARK, "marker": "D", "markersize": 4.5, "linestyle": "none"}
+    handles += dots_of(ax, cusps, style, "changes: fold on a level")
+    ax.set(xlim=(left, right), ylim=(low, high), xlabel=axis("C1", (1, 1, 0)),
+           ylabel=axis(letters_of(scene).of("h"), (1, 2, 0)))
     curves = {x.verdict for x in found.curves if _inside(x.momentum, x.energy, shown)}
     points = {branch.decision.verdict for name, branch in poles.items() if name not in focus}
     modulo = " (curves: modulo the spin)" if Verdict.STABLE in curves else ""

@@ -1,12 +1,12 @@
 """A sphere seen from one side: outline, axes, and curves on it whose hidden part is faded."""
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
 
 from ..algebra.enclosures.floats import Array
 from ..errors import optional
-from .looks import DARK
+from .looks import DARK, named
 
 BACKGROUND, FADED = "#f4f7fb", 0.28
 BESIDE = 0.12                                              # from the head of an axis to its name
@@ -121,6 +121,17 @@ def parted(curve: Array, eye: Array) -> tuple[Array, Array]:
     return np.where((depth >= 0)[:, None], points, np.nan), np.where((depth <= 0)[:, None], points, np.nan)
 
 
+def refined(place: Callable[[Array], Array], t: Array, found: Array, step: float, rounds: int) -> Array:
+    """Places at values t, with those halfway where two are further apart than a step, as often as that."""
+    for _ in range(rounds):
+        wide = np.flatnonzero(np.linalg.norm(np.diff(found, axis=0), axis=1) > step)
+        if not len(wide):
+            break
+        middle = (t[wide] + t[wide + 1]) / 2
+        found, t = np.insert(found, wide + 1, place(middle), axis=0), np.insert(t, wide + 1, middle)
+    return found
+
+
 def curve_on(ax: Any, curve: Array, eye: Array, **style: Any) -> None:
     """A curve on the sphere, its hidden part faded."""
     front, back = parted(curve, eye)
@@ -137,3 +148,26 @@ def dots_on(ax: Any, points: Array, eye: Array, **style: Any) -> None:
             ax.plot(*some.T, **{**style, **look})
 
 
+
+
+def curves_of(ax: Any, curves: Sequence[Array], style: dict[str, Any], name: str,
+              eye: Array | None = None) -> list[Any]:
+    """Curves of one look, in a plane or on the sphere; what stands in the legend for them, if anything."""
+    for curve in curves:
+        if eye is None:
+            ax.plot(*curve.T, **style)
+        else:
+            curve_on(ax, curve, eye, **style)
+    return [named(style, name)] if len(curves) else []
+
+
+def dots_of(ax: Any, points: Sequence[Any], style: dict[str, Any], name: str, eye: Array | None = None,
+            **more: Any) -> list[Any]:
+    """The same of markers; more is for those in a plane."""
+    if not len(points):
+        return []
+    if eye is None:
+        ax.plot(*np.array(points).T, zorder=4, **style, **more)
+    else:
+        dots_on(ax, np.array(points), eye, **style)
+    return [named(style, name)]

@@ -111,10 +111,10 @@ def lines(above: Sequence[str], shown: Sequence[str], most: float = ROOM) -> str
     >>> lines(["E1", "$U = k_3$"], ["$I_1 = 1$", "$l = 0$"])
     'E1, $U = k_3$: $I_1 = 1$, $l = 0$'
     """
-    marks = [*([","] * (len(above) - 1)), *([":"] if above and shown else [""] if above else []),
-             *([","] * (len(shown) - 1)), *([""] if shown else [])]
+    items = [*above, *shown]
+    marks = [*(":" if n == len(above) else "," for n in range(1, len(items))), ""]
     rows: list[str] = []
-    for item, mark in zip([*above, *shown], marks):
+    for item, mark in zip(items, marks):
         *wide, last = _broken(item, most)
         for part in (*wide, last + mark):
             row = f"{rows[-1]} {part}" if rows else ""

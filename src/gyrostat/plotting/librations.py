@@ -70,8 +70,7 @@ def draw_librations(motion: Motion, times: Any, ax: Any = None, *, pointing: Seq
     orbits = float(orbital_rate(motion.scene)) * times / (2 * np.pi)
     for values, style in zip(np.degrees(roll_pitch_yaw(motion.attitude(times), pointing)).T, STYLES.values()):
         ax.plot(*_broken(orbits, values), **{"linewidth": 1.3, **style, **kwargs})
-    ax.set_xlabel("orbits")
-    ax.set_ylabel("angle [°]")
+    ax.set(xlabel="orbits", ylabel="angle [°]")
     ax.margins(x=0)
     legend(ax, [named({**style, **kwargs}, name) for name, style in STYLES.items()],
            title=heading(ax, *of_motion(motion)))

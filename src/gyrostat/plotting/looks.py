@@ -1,10 +1,9 @@
 """One look of stable, unstable and undecided for areas, lines and markers; axes and legends."""
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 
-from ..algebra.enclosures.floats import Array
 from ..errors import ArgumentError, optional, require
 from ..notation import dimension_of
 from ..printing.formats.linebreaks import width
@@ -135,15 +134,3 @@ def named(style: dict[str, Any], name: str) -> Any:
     """What stands in a legend for a line or a marker."""
     from matplotlib.lines import Line2D
     return Line2D([], [], label=name, **style)
-
-
-def runs(values: Array) -> Iterator[slice]:
-    """Slices of neighbours that are equal.
-
-    Examples
-    --------
-    >>> [(run.start, run.stop) for run in runs(np.array([1, 1, -1, -1, -1, 1]))]
-    [(0, 2), (2, 5), (5, 6)]
-    """
-    cuts = [0, *(np.flatnonzero(values[1:] != values[:-1]) + 1), len(values)]
-    return (slice(int(a), int(b)) for a, b in zip(cuts, cuts[1:]))

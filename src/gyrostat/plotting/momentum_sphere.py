@@ -11,13 +11,13 @@ from ..arguments import checked
 from ..equilibria.finders.free import rotations_on_sphere
 from ..equilibria.relative_equilibrium import RelativeEquilibrium
 from ..errors import ScopeError, ValuesError
-from ..mechanics.scenes.system import System, assemble
+from ..mechanics.scenes.system import System, at_numbers
 from ..stability.decision import Verdict
 from .energy_levels import energies_between, floats, level_curve
-from .globe import circle, curve_on, dots_on, stage
+from .globe import circle, curve_on, curves_of, dots_of, stage
 from .headings import heading, of_sphere
 from .looks import BLUE, DARK, axes_of, label, legend, line, marker, named
-from .scene_numbers import body_at, numbers_of
+from .scene_numbers import numbers_of
 
 BAND = 5                                                   # polhodes between two critical energies
 
@@ -80,13 +80,14 @@ def draw_momentum_sphere(scene: System, momentum: Any, values: Mapping[str, Any]
         raise ScopeError("M keeps its length only in a free body, the scene has the potential "
                          f"{scene.potential.expression}: "
                          "assemble the body alone")
-    body, radius = body_at(scene, numbers_of(scene, values or {})), exact_number(momentum, "momentum")
+    here, radius = at_numbers(scene, numbers_of(scene, values or {})), exact_number(momentum, "momentum")
+    body, inertia = here.body, here.body.moments
     if sign_of_constant(radius) != 1:
         raise ValuesError(f"momentum = {momentum} is not the radius of a sphere: give a positive number")
-    points = [RelativeEquilibrium(form) for form in rotations_on_sphere(assemble(body), radius)]
+    points = [RelativeEquilibrium(form) for form in rotations_on_sphere(here, radius)]
     size, about = float(radius), points[0].form.circle
     if about is not None and not any(about):
-        raise ScopeError(f"inertia = {body.moments} and l = 0: every point of the sphere is an equilibrium; "
+        raise ScopeError(f"inertia = {inertia} and l = 0: every point of the sphere is an equilibrium; "
                          "give different moments, or a rotor")
     least, most = (f(float(p.energy) for p in points) for f in (min, max))
     slack = 1e-12 * most                                   # an energy of a rest point may be rounded
@@ -111,15 +112,12 @@ def draw_momentum_sphere(scene: System, momentum: Any, values: Mapping[str, Any]
         if point.form.circle is not None:
             axis, at = floats(point.form.circle), floats(point.momentum)
             height = float(at @ axis)
-            curve_on(ax, circle(axis, float(np.sqrt(size**2 - height**2)), height), eye,
-                     **line(Verdict.STABLE))
-            handles.append(named(line(Verdict.STABLE), "equilibria, stable modulo the spin"))
+            around = [circle(axis, float(np.sqrt(size**2 - height**2)), height)]
+            handles += curves_of(ax, around, line(Verdict.STABLE), "equilibria, stable modulo the spin", eye)
     for verdict in Verdict:
         places = [floats(p.momentum) for p in points
                   if p.decision.verdict is verdict and p.form.circle is None]
-        if places:
-            dots_on(ax, np.array(places), eye, **marker(verdict))
-            handles.append(named(marker(verdict), verdict.name.lower()))
+        handles += dots_of(ax, places, marker(verdict), verdict.name.lower(), eye)
     legend(ax, handles, title=heading(ax, *of_sphere(scene, values or {}, radius)))
     return ax
 

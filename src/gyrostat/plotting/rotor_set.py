@@ -15,8 +15,9 @@ from ..errors import ScopeError, ValuesError
 from ..mechanics.scenes.body import Gyrostat
 from ..mechanics.scenes.system import System, at_numbers, names_of_scene
 from ..notation import symbol
+from .globe import curves_of
 from .headings import heading, of_sphere
-from .looks import BLUE, DARK, axes_of, axis, legend, named
+from .looks import BLUE, DARK, axes_of, axis, legend
 
 ARC, CELLS = 400, 120                                      # samples of an arc, of the plane each way
 FOLD = {"color": DARK, "linewidth": 1.4}
@@ -81,18 +82,14 @@ def draw_rotor_set(scene: System, values: Mapping[str, Any], ax: Any = None, **k
     x, y = (np.linspace(-size, size, CELLS) for size in (width, height))
     counts = _counts(body, radius, free, x, y)
     ax.contourf(x, y, counts, levels=[1, 3, 5, 7], colors=list(SHADES.values()))
-    handles = []
+    handles: list[Any] = []
     for curves, style, name in ((arcs, FOLD, "fold"), (ellipse, PITCHFORK, "pitchfork")):
-        for curve in curves:
-            for sx, sy in ((1, 1), (1, -1), (-1, 1), (-1, -1)):
-                ax.plot(sx * curve[0], sy * curve[1], **{**style, **kwargs})
-        if curves:
-            handles.append(named({**style, **kwargs}, name))
+        every = [curve.T * side for curve in curves for side in ((1, 1), (1, -1), (-1, 1), (-1, -1))]
+        handles += curves_of(ax, every, {**style, **kwargs}, name)
     for rotations, place in _places(x, y, counts):
         ax.text(*place, str(rotations), ha="center", va="center")
-    ax.set(xlim=(-width, width), ylim=(-height, height))
-    ax.set_xlabel(axis(f"l{free[0] + 1}"))
-    ax.set_ylabel(axis(f"l{free[1] + 1}"))
+    ax.set(xlim=(-width, width), ylim=(-height, height), xlabel=axis(f"l{free[0] + 1}"),
+           ylabel=axis(f"l{free[1] + 1}"))
     legend(ax, handles, title=heading(ax, *of_sphere(scene, values, values[LENGTH.name])))
     return ax
 

@@ -11,9 +11,9 @@ from ..equilibria.curves.staude import staude_cone
 from ..mechanics.scenes.system import System
 from ..stability.decision import Verdict
 from .along_arcs import along, directions, floats, moves
-from .globe import curve_on, dots_on, stage
+from .globe import curves_of, dots_of, stage
 from .headings import heading, of_scene
-from .looks import DARK, GREY, axes_of, label, legend, line, named
+from .looks import DARK, GREY, axes_of, label, legend, line
 
 STEP = 0.02                                            # radians between points
 OPPOSITE = {"color": GREY, "linewidth": 0.8}
@@ -83,16 +83,13 @@ def draw_staude_cone(scene: System, values: Mapping[str, Any] | None = None, ax:
     curves = [(piece.decision.verdict, directions(arc, piece, STEP)) for arc in moving
               for piece in arc.pieces]
     opposite = [] if isinstance(arcs[0], GyrostatArc) else [-curve for _, curve in curves]
-    for curve in opposite:
-        curve_on(ax, curve, eye, **OPPOSITE)
-    handles = []
+    without = curves_of(ax, opposite, OPPOSITE, "no rotation", eye)
+    handles: list[Any] = []
     for verdict in Verdict:
-        style = {**line(verdict), "linewidth": 2.0, **kwargs}
         own = [curve for found, curve in curves if found is verdict]
-        for curve in own:
-            curve_on(ax, curve, eye, **style)
-        handles += [named(style, verdict.name.lower())] if own else []
-    handles += [named(OPPOSITE, "no rotation")] if opposite else []
+        style = {**line(verdict), "linewidth": 2.0, **kwargs}
+        handles += curves_of(ax, own, style, verdict.name.lower(), eye)
+    handles += without
     changes = [along(arc, np.array([float(x)])).k[0] for arc in moving for x in arc.boundaries]
     folds = [floats(end.k) for arc in moving for end in arc.ends if end.omega not in (0, oo, -oo)]
     rest = [floats(end.k) for arc in moving for end in arc.ends if end.omega == 0]
@@ -101,8 +98,6 @@ def draw_staude_cone(scene: System, values: Mapping[str, Any] | None = None, ax:
     still = [floats(arc.ends[0].k) for arc in arcs if not moves(arc)]
     for points, style, name in ((changes, CHANGE, "change"), (folds, FOLD, "fold"),
                                 (rest, REST, "at rest"), (still, ANY, "every rate")):
-        if points:
-            dots_on(ax, np.array(points), eye, **style)
-            handles.append(named(style, name))
+        handles += dots_of(ax, points, style, name, eye)
     legend(ax, handles, title=heading(ax, *of_scene(scene, values or {})))
     return ax

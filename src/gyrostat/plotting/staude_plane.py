@@ -16,8 +16,9 @@ from ..errors import ValuesError
 from ..mechanics.scenes.system import System
 from ..stability.decision import Verdict
 from .along_arcs import Arc, along, floats, halved, placed
+from .globe import curves_of, dots_of
 from .headings import heading, number, of_scene
-from .looks import GREY, axes_of, axis, legend, line, named, with_dimension
+from .looks import GREY, axes_of, axis, legend, line, with_dimension
 from .staude_cone import CHANGE, FOLD, REST
 
 STEP, BEYOND, MARGIN = 0.02, 1.2, 1.25                 # of the window; where a curve may be cut; around marks
@@ -90,16 +91,11 @@ def draw_staude_plane(scene: System, values: Mapping[str, Any] | None = None,
     for moment in plane.moments:
         ax.plot(rates, (plane.middle - moment) * rates**2, **AXES)
     for verdict in Verdict:
-        style = {**line(verdict), **kwargs}
         own = [curve for arc in arcs for piece in arc.pieces if piece.decision.verdict is verdict
                for curve in plane.curves(arc, piece, window)]
-        for curve in own:
-            ax.plot(*curve.T, **style)
-        handles += [named(style, verdict.name.lower())] if own else []
+        handles += curves_of(ax, own, {**line(verdict), **kwargs}, verdict.name.lower())
     for points, look, name in ((changes, CHANGE, "change"), (folds, FOLD, "fold"), (rest, REST, "at rest")):
-        if points:
-            ax.plot(*np.array(points).T, **look, zorder=4)
-            handles.append(named(look, name))
+        handles += dots_of(ax, points, look, name)
     upwards = rf"$\sigma + {number(plane.exact, str(plane.exact))}\,\omega^2$"
     ax.set(xlim=(low, high), ylim=(bottom, top), xlabel=axis("omega"),
            ylabel=with_dimension(upwards, (1, 2, 0)))

@@ -72,13 +72,9 @@ def latex(findings: Iterable[Finding], paper: Paper = PLAIN) -> str:
 
 def _erratum(f: Finding, names: Names) -> str:
     at, lines = place(f), [rf"about {_about(f, names, place(f))}"]
-    for entry, printed, right in rows(f):
-        label, whole = f"{entry}: " if entry else "", printed == f.statement.printed
-        if not whole:
-            lines.append(rf"{label}\textbf{{printed}} ${_latex(printed, names, at)}$")
-        elif len(lines) == 1:
-            lines.append(rf"\textbf{{printed}} ${_latex(printed, names, at)}$")
-        lines.append(rf"{label}\textbf{{right}} {_right(right, names, at, f)}")
+    for word, entry, value in rows(f):
+        said = f"${_latex(value, names, at)}$" if word == "printed" else _right(value, names, at, f)
+        lines.append(rf"{entry}\textbf{{{word}}} {said}")
     if f.statement.note:
         lines.append(rf"\emph{{{words(f.statement.note)}}}")
     example = ""

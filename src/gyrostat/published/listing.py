@@ -12,37 +12,32 @@ from ..printing.formats.text import plain
 from ..printing.formats.unicode import unicode
 from ..stability.criteria.conditions import Criterion
 from .checks.findings import Finding, source_of
-from .statements import Counterexample
+from .statements import Counterexample, entry_of
 
 NOT_SHARP = "no point was found at which it fails, but it is not the whole condition:"
 SCENE = "the numbers of the scene"
 _MARK = {"confirmed": "✓", "misprint": "✗", "unchecked": "–"}
 
 
-def rows(finding: Finding) -> list[tuple[str, Any, Any]]:
-    """(entry, printed, right) for each entry in which they differ.
+def rows(finding: Finding) -> list[tuple[str, str, Any]]:
+    """("printed" or "right", entry, value) for each entry in which they differ.
 
-    One row where it is corrected, or has no entries.
+    Two rows where it is corrected, or has no entries.
 
-    printed is the text, or texts, of the source; right is such a text too where the statement is corrected,
-    else a value.
+    What is printed is the text, or texts, of the source, once where it is one for all entries; right is such
+    a text too where the statement is corrected, else a value.
     """
-    s, outcome = finding.statement, finding.outcome
+    printed, outcome = finding.statement.printed, finding.outcome
     if outcome.corrected is not None:
-        return [("", s.printed, outcome.corrected)]
+        return [("printed", "", printed), ("right", "", outcome.corrected)]
     if not outcome.difference or not isinstance(outcome.derived, MatrixBase):
-        return [("", s.printed, _shown(outcome.derived))]
-    found = []
-    for i, j in (place for place, _ in outcome.difference):
-        text = (
-            s.printed
-            if isinstance(s.printed, str)
-            else s.printed[i][j]
-            if isinstance(s.printed[i], list)
-            else s.printed[i]
-        )
-        found.append((f"entry {i + 1}" + (f", {j + 1}" if outcome.derived.cols > 1 else ""), text,
-                      _shown(outcome.derived[i, j])))
+        return [("printed", "", printed), ("right", "", _shown(outcome.derived))]
+    found = [("printed", "", printed)] if isinstance(printed, str) else []
+    for (i, j), _ in outcome.difference:
+        entry = entry_of((i, j), outcome.derived)
+        if not isinstance(printed, str):
+            found.append(("printed", entry, printed[i][j] if isinstance(printed[i], list) else printed[i]))
+        found.append(("right", entry, _shown(outcome.derived[i, j])))
     return found
 
 
@@ -97,14 +92,7 @@ def _details(f: Finding, width: int) -> list[str]:
     pairs: list[tuple[str, str]] = []
     if f.status == "misprint":
         pairs.append(("about", as_text(f.statement.quantity)))
-        for entry, printed, right in rows(f):
-            where = f"{entry}: " if entry else ""
-            whole = printed == f.statement.printed
-            if not whole:
-                pairs.append(("printed", where + as_text(printed)))
-            elif len(pairs) == 1:
-                pairs.append(("printed", as_text(printed)))
-            pairs.append(("right", where + _one_line(right, place(f))))
+        pairs += [(word, entry + _one_line(value, place(f))) for word, entry, value in rows(f)]
         pairs += [("differ by", difference)] if (difference := _differences(f)) else []
         if c := f.outcome.counterexample or f.outcome.not_sharp:
             pairs += [("not sharp", NOT_SHARP)] if f.outcome.not_sharp else []
@@ -113,11 +101,8 @@ def _details(f: Finding, width: int) -> list[str]:
                           f"printed {number(c.printed)}, derived {number(c.derived)}; {c.confirmation}"))
     else:
         pairs.append(("claim", as_text(f.statement.printed)))
-        pairs += (
-            [("derived", _one_line(_shown(f.outcome.derived), place(f)))]
-            if f.outcome.remark and f.outcome.derived is not None
-            else []
-        )
+        if f.outcome.remark and f.outcome.derived is not None:
+            pairs.append(("derived", _one_line(_shown(f.outcome.derived), place(f))))
         pairs += [("because", f.outcome.remark)] if f.outcome.remark else []
     pairs += [("note", f.statement.note)] if f.statement.note else []
     lines = []
@@ -129,10 +114,9 @@ def _details(f: Finding, width: int) -> list[str]:
 
 def _differences(f: Finding) -> str:
     """printed − derived, where it fits a few lines; JSON has it whole."""
-    found = []
-    for entry, value in f.outcome.difference or () if not isinstance(f.outcome.derived, str) else ():
-        label = f"entry {', '.join(str(i + 1) for i in entry[:f.outcome.derived.cols])}: " if entry else ""
-        found.append(label + unicode(readable(value), place(f)))
+    outcome = f.outcome
+    found = [entry_of(entry, outcome.derived) + unicode(readable(value), place(f))
+             for entry, value in outcome.difference or () if not isinstance(outcome.derived, str)]
     return "; ".join(found) if sum(map(len, found)) < 400 else ""
 
 

@@ -1,6 +1,7 @@
 """Files of published formulas: read, exactly as printed, and checked for their format."""
 from collections import Counter
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 from functools import cache
 from importlib import resources
@@ -20,9 +21,7 @@ _HERE = resources.files(__package__)                     # a folder, or part of 
 MOST = 40                                              # abbreviations, values or constants of a formula
 _REQUIRED = ("key", "where", "quantity", "printed", "kind")
 _OPTIONAL: Mapping[str, Any] = {"scene": str, "note": str, "let": dict, "at": dict, "given": str,
-                                "constants": list,
-                                       "corrected": (str, list)}
-
+                                "constants": list, "corrected": (str, list)}
 _COMPUTING = (ArithmeticError, AttributeError, LookupError, NotImplementedError, RecursionError, TypeError,
               ValueError)
 
@@ -131,21 +130,16 @@ def _read(path: Path | Traversable, expected: Mapping[str, Any] | None) -> Sourc
     return Source(header["name"], header["title"], tuple(statements), status)
 
 
-class _at:
+@contextmanager
+def _at(path: Path | Traversable, key: str) -> Iterator[None]:
     """Errors with the file and the key they belong to."""
-
-    def __init__(self, path: Path | Traversable, key: str):
-        self.path, self.key = path, key
-
-    def __enter__(self) -> None:
-        return None
-
-    def __exit__(self, kind: Any, error: Any, trace: Any) -> None:
-        if isinstance(error, GyrostatError):
-            raise PublishedError(f"{self.path}: {brief(self.key)[1:-1]}: {error}") from None
-        if isinstance(error, _COMPUTING):
-            why = f"it cannot be computed ({brief(str(error))}): simplify it"
-            raise PublishedError(f"{self.path}: {brief(self.key)[1:-1]}: {why}") from error
+    try:
+        yield
+    except GyrostatError as error:
+        raise PublishedError(f"{path}: {brief(key)[1:-1]}: {error}") from None
+    except _COMPUTING as error:
+        why = f"it cannot be computed ({brief(str(error))}): simplify it"
+        raise PublishedError(f"{path}: {brief(key)[1:-1]}: {why}") from error
 
 
 def _texts(value: Any) -> bool:

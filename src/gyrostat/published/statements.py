@@ -167,3 +167,8 @@ class Seen:
     derived: Any
     why: str
     refutes: bool
+
+
+def entry_of(place: Any, derived: Any) -> str:
+    """Which entry of a vector or matrix a place is, in words; nothing of what has no entries."""
+    return f"entry {', '.join(str(i + 1) for i in place[:derived.cols])}: " if place else ""

@@ -77,9 +77,9 @@ class Asked:
 @lru_cache(maxsize=64)
 def scene_of(asked: Asked) -> System:
     """The scene of a body in a field."""
-    rows = [entries(row) for row in str(asked.inertia).split(";")]
+    rows = [row.split(",") for row in str(asked.inertia).split(";")]
     body = {"inertia": rows if len(rows) > 1 else rows[0],
-            "gyrostatic_momentum": entries(str(asked.gyrostatic_momentum))}
+            "gyrostatic_momentum": str(asked.gyrostatic_momentum).split(",")}
     orbit = {} if asked.orbit is None else {"orbit": asked.orbit}
     return SceneTable({"potential": asked.potential, **body, **orbit,
                        "integrals": list(asked.integrals or ())}).system
@@ -90,11 +90,6 @@ def _of_three(potential: str) -> bool:
     """Whether it is a field of a body of three moments."""
     field = SceneTable({"potential": potential}).potential
     return field is None or not field.axial
-
-
-def entries(text: str) -> list[str]:
-    """The expressions of a list."""
-    return text.split(",")
 
 
 def direction_of(asked: Asked) -> tuple[Expr, ...] | None:
@@ -112,7 +107,7 @@ def pointing_of(text: str | None) -> Sequence[int]:
 
 def one_for_each(option: str, text: str, scene: System) -> Sequence[str]:
     """The texts of a point or a state, one for each coordinate."""
-    texts, names = entries(text), [str(s) for s in scene.space.coordinates]
+    texts, names = text.split(","), [str(s) for s in scene.space.coordinates]
     if len(texts) != len(names):
         raise ValuesError(f"{option} {brief(text)[1:-1]} has {len(texts)} numbers, the body {len(names)} "
                           f"coordinates: give {','.join(names)}")

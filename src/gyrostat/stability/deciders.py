@@ -7,16 +7,6 @@ from sympy import Expr, Symbol
 from .decision import Decision
 
 
-class Decider(Protocol):
-    """What decides an equilibrium where its criteria do not: Boundary, MomentumSphere."""
-
-    def decide(self, numbers: Mapping[Symbol, Expr], margins: dict[Expr, Expr]) -> Decision:
-        """The decision at exact numbers.
-
-        The margins used are entered.
-        """
-
-
 @runtime_checkable
 class Ends(Protocol):
     """What says which ends of a set of values belong to it: Boundary, MomentumSphere."""
@@ -25,8 +15,16 @@ class Ends(Protocol):
         """Where the margin vanishes: the end belongs to the set where the first that is not 0 is positive."""
 
 
-class Between(Decider, Ends, Protocol):
-    """What decides between the two criteria at numbers, and at the ends of what is solved for."""
+class Between(Ends, Protocol):
+    """What decides an equilibrium where its criteria do not, at numbers, and at the ends of what is solved
+    for: Boundary, MomentumSphere.
+    """
+
+    def decide(self, numbers: Mapping[Symbol, Expr], margins: dict[Expr, Expr]) -> Decision:
+        """The decision at exact numbers.
+
+        The margins used are entered.
+        """
 
     def expressions(self) -> Iterable[Expr]:
         """What may be asked for its sign; the first few of them, where they do not end."""

@@ -214,11 +214,8 @@ def with_margins(found: Decision, margins: Mapping[Expr, Expr], note: str,
     return decision
 
 
-def settled(stable: bool | None, why: str, rung: Rung, notion: Notion = Notion.LYAPUNOV,
-            **more: Any) -> Decision:
-    """The decision that something is proved, of a notion, by a rung; without both if nothing is proved."""
-    if stable is None:
-        return undecided(why)
+def settled(stable: bool, why: str, rung: Rung, notion: Notion = Notion.LYAPUNOV, **more: Any) -> Decision:
+    """The decision that something is proved, of a notion, by a rung."""
     return Decision(Verdict.of(stable), rung, why, notion, **more)
 
 

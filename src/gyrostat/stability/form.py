@@ -2,11 +2,11 @@
 from collections.abc import Callable, Sequence
 from typing import Any, ClassVar, NamedTuple
 
-from sympy import Expr
+from sympy import Expr, S
 
 from .._cached import cached_property
 from ..algebra.enclosures.precision import doubled, own_precision
-from ..algebra.reals.exact import evaluate, proved_sign
+from ..algebra.reals.exact import evaluate, proved_sign, sign_changes
 from ..mechanics.equilibrium.claimed_point import equilibrium
 from ..mechanics.equilibrium.equilibrium import Equilibrium
 from ..mechanics.scenes.system import System
@@ -56,7 +56,13 @@ class Form(Stored):
     @property
     def locus(self) -> str:
         """The set of equilibria of which it is a point, in words; "" of a point alone."""
-        return ""
+        if self.curve is not None:
+            return f"a curve, {self.curve} = 0"
+        if self.circle is None or not any(self.circle):
+            return "" if self.circle is None else "the whole sphere"
+        if self.circle.count(S.Zero) == 2:
+            return f"the circle about axis {next(n for n, x in enumerate(self.circle, 1) if x != 0)}"
+        return f"the circle about the axis along ({', '.join(map(str, self.circle))})"
 
     @property
     def circle(self) -> tuple[Expr, ...] | None:
@@ -182,8 +188,7 @@ class Form(Stored):
         """The number of negative squares; None where the form is degenerate, or a sign is not proved."""
         if None in self.signs or not self.signs[-1]:
             return None
-        left = [s for s in (1, *self.signs) if s]
-        return sum(a != b for a, b in zip(left, left[1:]))
+        return sign_changes(self.signs)
 
     @property
     def frequencies(self) -> tuple[Expr, ...]:
@@ -201,7 +206,7 @@ class Form(Stored):
     @cached_property
     def _rates(self) -> tuple[tuple[Expr, ...], Expr | None]:
         """Of the roots λ² of the spectrum, without one that is 0."""
-        whole = 0 if self.singular else self.signs[-1]
+        whole = self.signs[-1]
         if self.rational:
             top, *spectrum = self.invariants(None).spectrum
             return exact_rates([x / top for x in spectrum], whole, self.spectral_signs)

@@ -8,10 +8,9 @@ from sympy import Expr
 from .._lazy import loaded
 from ..algebra.reals.exact import Point, sign
 from ..mechanics.equilibrium.derived_once import once
-from ..mechanics.equilibrium.equilibrium import Equilibrium
 from ..mechanics.equilibrium.standard_axes import placed, seen_at
 from ..mechanics.scenes.kind import Kind
-from ..notation import symbol
+from .criteria.numbers_asked import left_open
 from .criteria.truth import holds
 from .decision import Decision, Rung, settled, undecided
 from .notion import Notion
@@ -71,8 +70,7 @@ class Ladder(Derived):
             return replace(drift, reason=known.worded(drift.reason))
         if self.boundary:
             return self.drift.decide(numbers, margins)
-        drifts: Decision = loaded(f"{THEOREMS}.drift:drifts_along")(placed(self.equilibrium, numbers), found)
-        return drifts
+        return loaded(f"{THEOREMS}.drift:drifts_along")(placed(self.equilibrium, numbers), found)
 
 
 @dataclass(frozen=True)
@@ -107,8 +105,8 @@ def _by_another(s: Standing) -> Decision:
     known = s.other
     assert known is not None
     standard = kept(known.equilibrium)
-    if missing := ", ".join(name for name in standard.compared if symbol(name) not in s.numbers):
-        return undecided(known.worded(f"give {missing} to decide"))
+    if missing := left_open(standard.compared, s.numbers):
+        return undecided(known.worded(f"give {', '.join(missing)} to decide"))
     found = standard.decide(s.numbers, s.margins)
     return replace(found, reason=known.worded(found.reason), modulo=found.modulo and known.modulo)
 
@@ -137,7 +135,8 @@ def _window(s: Standing) -> Decision:
 
 def _without_torque(s: Standing) -> Decision:
     """As the free body."""
-    return s.after_integrals(s.torque_free.decide(lambda eq: kept(eq).decide(Point({}), {})))
+    decide = loaded(f"{THEOREMS}.no_torque:decide_without_torque")
+    return s.after_integrals(decide(s.eq, s.numbers, lambda eq: kept(eq).decide(Point({}), {})))
 
 
 def _leading(s: Standing) -> Decision:
@@ -166,13 +165,10 @@ RUNGS = (
     Step("integrals", "Holm, Marsden, Ratiu & Weinstein, Phys. Rep. 123 (1985) 1-116",
          lambda s: s.eq.system.given_integrals and s.by_integrals.stable, lambda s: s.own(s.by_integrals)),
     Step("normal forms", "Arnold, Sov. Math. Dokl. 2 (1961) 247-249", lambda s: not s.degenerate, _window),
-    Step("no torque", "derived: M·k, |M|² and |k|² are conserved", lambda s: s.torque_free,
-         _without_torque),
+    Step("no torque", "derived: M·k, |M|² and |k|² are conserved",
+         lambda s: loaded(f"{THEOREMS}.no_torque:without_torque")(s.eq, s.numbers), _without_torque),
     Step("leading form", "Lagrange, Dirichlet; Chetaev (1934)", lambda s: True, _leading),
 )
 
 
-@once
-def kept(eq: Equilibrium) -> Ladder:
-    """The ladder of an equilibrium in other axes, or of another scene that decides for it, derived once."""
-    return Ladder(eq)
+kept = once(Ladder)                                        # in other axes, or of a scene that decides instead

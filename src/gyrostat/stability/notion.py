@@ -31,7 +31,7 @@ class Notion(Enum):
         return self is not Notion.NOTHING
 
     def __eq__(self, other: object) -> bool:
-        return self is other or self.value == other
+        return self.value == other if isinstance(other, str) else self is other
 
     def __hash__(self) -> int:
         return hash(self.value)

@@ -1,6 +1,5 @@
 """What stands on a rung of the ladder: an equilibrium at numbers; each answer is found when it is asked."""
 from dataclasses import dataclass, replace
-from typing import Any
 
 from sympy import Expr
 
@@ -9,8 +8,7 @@ from .._lazy import loaded
 from ..algebra.reals.exact import Point, sign
 from ..mechanics.equilibrium.equilibrium import Equilibrium
 from ..mechanics.equilibrium.standard_axes import Seen, seen_at
-from ..notation import symbol
-from .criteria.numbers_asked import names_of_motion
+from .criteria.numbers_asked import left_open, names_of_motion
 from .criteria.truth import holds
 from .decision import Decision
 from .report.derived_parts import Derived
@@ -51,30 +49,20 @@ class Standing:
     def degenerate(self) -> bool:
         """Whether the second variation is proved to be degenerate."""
         determinant, names = self.derived.determinant
-        return not self._missing(names) and sign(determinant, self.numbers) == 0
+        return not left_open(names, self.numbers) and sign(determinant, self.numbers) == 0
 
     @cached_property
     def missing(self) -> str:
         """Names without a number that the theorems need."""
         eq, (_, names) = self.eq, self.derived.determinant
-        missing = self._missing(names)
         if not self.derived.open_between or self.degenerate and self.derived.may_lie_on_curve:
-            missing += self._missing(names_of_motion(eq))
-        return ", ".join(dict.fromkeys(missing))
-
-    def _missing(self, names: tuple[str, ...]) -> list[str]:
-        return [name for name in names if symbol(name) not in self.numbers]
+            names += names_of_motion(eq)
+        return ", ".join(dict.fromkeys(left_open(names, self.numbers)))
 
     @cached_property
     def by_integrals(self) -> Decision:
         """What integrals that are given decide."""
-        found: Decision = loaded(f"{THEOREMS}.given_integrals:decide_by_integrals")(self.eq, self.numbers)
-        return found
-
-    @cached_property
-    def torque_free(self) -> Any:
-        """The equilibrium without its field, if that exerts no torque."""
-        return loaded(f"{THEOREMS}.no_torque:torque_free")(self.eq, self.numbers)
+        return loaded(f"{THEOREMS}.given_integrals:decide_by_integrals")(self.eq, self.numbers)
 
     def own(self, found: Decision) -> Decision:
         """In the axes of the scene, modulo what the criteria divide out."""

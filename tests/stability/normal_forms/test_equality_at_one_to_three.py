@@ -11,9 +11,18 @@ from sympy.solvers.diophantine.diophantine import diop_ternary_quadratic_normal
 
 import gyrostat as gs
 from gyrostat.algebra.reals.eigenvalues import in_ratio
-from gyrostat.stability.normal_forms.birkhoff import W1, W2, Z1, Z2, linear_motion, modes, normalised, twist
+from gyrostat.stability.normal_forms.birkhoff import (
+    W1,
+    W2,
+    Z1,
+    Z2,
+    linear_motion,
+    modes,
+    normalised,
+    real,
+    twist,
+)
 from gyrostat.stability.normal_forms.local_motion import fraction, local_motion
-from gyrostat.stability.normal_forms.resonances import real
 
 
 def on_torus(rotation):

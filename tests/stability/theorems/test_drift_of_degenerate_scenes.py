@@ -70,6 +70,13 @@ def constant(k):
     return 2 * k
 
 
+def of_one_rate(side):
+    """At ω = k where k3 = 3/5: U − k·Ik/2 = ±(k3 − 3/5)²."""
+    return field((1, 2, 3), (0, 0, 0), lambda k1, k2, k3: (
+        (k1**2 + 2 * k2**2 + 3 * k3**2) / 2 + side * (k3 - R(3, 5))**2), lambda k: (
+        k * [1, 2, 3] + 2 * side * (k[:, 2:] - 0.6) * E3), (0, R(-8, 5), R(9, 5), 0, R(-4, 5), R(3, 5)))
+
+
 CASES = {
     "a ball precesses": lambda: precession("conical", 1, "3/4"),
     "a ball precesses in the other plane": lambda: precession("hyperbolic", 1, "1/2"),
@@ -97,6 +104,8 @@ CASES = {
                                              (R(6, 5), 0, R(8, 5), R(3, 5), 0, R(4, 5))),
     "a tilt of a body about axis 1": lambda: field((3, 2, 2), (0, 0, 0), lambda k1, k2, k3: k1**2, lambda k: (
         2 * k * E1), (0, 2, 0, 0, 1, 0)),
+    "on a circle of one rate, least": lambda: of_one_rate(1),
+    "on a circle of one rate, a saddle": lambda: of_one_rate(-1),
     "at the critical spin": lambda: field((2, 2, 1), (0, 0, 0), lambda k1, k2, k3: k3, lambda k: 0 * k + E3, (
         0, 0, sqrt(8), 0, 0, 1)),
     "free, a ball with a wheel": lambda: free((2, 2, 2), (0, 0, 1), (0, 0, 1)),

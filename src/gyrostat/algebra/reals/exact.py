@@ -2,8 +2,9 @@
 
 By rational arithmetic, or by proved enclosures and a separation bound.
 """
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import lru_cache
+from itertools import pairwise
 
 import sympy
 from flint import arb, fmpq, fmpq_mpoly
@@ -167,6 +168,11 @@ def proved_sign(constant: Expr, refusal: Callable[[], Exception] | None = None) 
         raise refusal()
     raise ScopeError(f"the sign of {brief(constant)} is not proved: " + (
         "write its algebraic numbers in one root" if is_algebraic(constant) else "round to decimals"))
+
+
+def sign_changes(signs: Iterable[int | None]) -> int:
+    """Changes of sign from 1 on: in the coefficients, the number of negative roots if all are real."""
+    return sum(a != b for a, b in pairwise([1, *filter(None, signs)]))
 
 
 def is_identically_zero(expression: Expr) -> bool | None:

@@ -4,7 +4,7 @@ from sympy import Expr, Matrix, Rational
 
 from ..enclosures.rationals import to_flint
 from ..rings.matrices import characteristic
-from .exact import evaluate, sign_of_constant
+from .exact import evaluate, sign_changes, sign_of_constant
 
 
 class NotProvedError(ArithmeticError):
@@ -51,9 +51,7 @@ def negative_squares(form: Matrix) -> int:
     >>> negative_squares(Matrix([[0, 1], [1, 0]]))
     1
     """
-    signs = [_sign(c) for c in characteristic(form.tolist())] if form.rows else []
-    left = [1, *filter(None, signs)]
-    return sum(a != b for a, b in zip(left, left[1:]))
+    return sign_changes(map(_sign, characteristic(form.tolist()))) if form.rows else 0
 
 
 def _is_zero(x: Expr) -> bool:

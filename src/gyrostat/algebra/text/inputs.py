@@ -62,7 +62,8 @@ def toml_of(path: Path | Traversable) -> dict[str, Any]:
         text = data.decode("utf-8-sig")
     except (OSError, ValueError) as error:
         why = getattr(error, "strerror", None) or getattr(error, "reason", None) or str(error)
-        raise PublishedError(f"{path}: cannot be read ({why}): give a text file in UTF-8") from None
+        todo = "give a text file in UTF-8" if isinstance(error, UnicodeError) else "check the path"
+        raise PublishedError(f"{path}: cannot be read ({why}): {todo}") from None
     if len(data) > FILE:
         raise PublishedError(f"{path}: is longer than {FILE} bytes: split it into several files")
     bare, depth = _TEXTS.sub('""', text), 0

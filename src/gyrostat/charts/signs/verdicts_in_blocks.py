@@ -1,8 +1,8 @@
 """Verdicts in the blocks of a grid: proved signs of margins, and the ladder between the two criteria."""
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 from functools import reduce
 from itertools import chain, repeat
+from typing import NamedTuple
 
 import numpy as np
 from sympy import Expr
@@ -25,8 +25,7 @@ from .stabilized_points import held
 from .three_valued import answered, every, some
 
 
-@dataclass(frozen=True)
-class Demands:
+class Demands(NamedTuple):
     """What has to be positive, not 0, and 0 for the equilibrium to exist; the margin that decides alone."""
 
     positive: tuple[Expr, ...]
@@ -56,9 +55,7 @@ class Decided:
         self.rungs, self.stays_open = rungs, not damped and open_between(report.equilibrium)
         self.known: dict[Expr, ArraySigns] = {}
         demands = demands_of(report, grid, damped)
-        self.positive = [self._signs(e) for e in demands.positive]
-        self.nonzero = [self._signs(e) for e in demands.nonzero]
-        self.zero = [self._signs(e) for e in demands.zero]
+        self.positive, self.nonzero, self.zero = ([*map(self._signs, group)] for group in demands[:3])
         self.alone = demands.alone
         self.unsafe = [a for a in map(grid.strange, grid.values) if a is not None]
 
@@ -167,17 +164,19 @@ class Decided:
         return verdicts, rungs
 
     def _exceptional(self, block: Slices) -> Array:
-        """Where the second variation may be degenerate, or the damping not reach every motion."""
-        degenerate, *torques = self.report.secular.standard.exceptions
+        """Where the form may be degenerate, or damping not reach all; all over without names that tell."""
+        standard = self.report.secular.standard
+        if {*standard.counted_by} - {s.name for s in self.grid.values}:
+            return np.ones((1, 1), bool)
+        degenerate, *torques = standard.exceptions
 
         def one_may_vanish(factors: Sequence[Expr]) -> Array:
             return _some_of(may_vanish(self._signs(e)(block)) for e in factors)
 
         unreached = np.ones((1, 1), bool)
         for torque in torques:
-            if not unreached.any():
-                break
-            unreached = unreached & one_may_vanish(torque)
+            if unreached.any():
+                unreached = unreached & one_may_vanish(torque)
         return np.asarray(one_may_vanish(degenerate) | unreached)
 
     def _holds(self, criterion: Criterion, block: Slices) -> Array:

@@ -14,7 +14,7 @@ from ...mechanics.scenes.kind import Kind
 from ...mechanics.scenes.system import System, at_numbers
 from ...notation import symbol
 from ...questions.given_numbers import numbers_of
-from ...questions.scene_texts import entries, one_for_each, pointing_of, scene_of
+from ...questions.scene_texts import one_for_each, pointing_of, scene_of
 from ...stability.criteria.numbers_asked import names_in
 from ...trajectories import Motion, motion
 from .axis_option import LONGEST
@@ -67,7 +67,7 @@ def _state(given: argparse.Namespace, scene: System, numbers: Mapping[str, Expr]
         raise ValuesError("--release is of a satellite in orbit, and this body is in none: add --orbit, or "
                           "give a --state")
     here = at_numbers(scene, {symbol(name): x for name, x in numbers.items()})
-    return release(here, entries(given.release), pointing_of(given.pointing))
+    return release(here, given.release.split(","), pointing_of(given.pointing))
 
 
 def times_of(given: argparse.Namespace, count: int) -> Array:

@@ -2,7 +2,6 @@
 import argparse
 from collections.abc import Sequence
 from math import prod
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -44,7 +43,11 @@ def run(given: argparse.Namespace, out: Output) -> int:
                             damped=given.damped, store=store, backend=given.backend,
                             threads=given.threads)
     if path.suffix in PICTURES:
-        _draw(chart, path)
+        from matplotlib.figure import Figure
+        with printed_look():
+            figure = Figure()
+            draw_chart(chart, figure.subplots())
+            save_picture(figure, path)
     elif store is None:
         packed = {"zlib": True, "complevel": 1}
         save_netcdf(chart, path, encoding={name: packed for name in ("verdict", "damped", "rung")
@@ -69,12 +72,3 @@ def _as_written(settings: Sequence[str]) -> dict[str, str]:
     """The numbers of --set as they stand there."""
     return {name.strip(): value.strip() for name, _, value in (setting.partition("=")
                                                                for setting in settings)}
-
-
-def _draw(chart: Any, path: Path) -> None:
-    from matplotlib.figure import Figure
-
-    with printed_look():
-        figure = Figure()
-        draw_chart(chart, figure.subplots())
-        save_picture(figure, path)

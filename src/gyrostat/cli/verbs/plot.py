@@ -25,6 +25,7 @@ from .motion import POINTS, SPACE
 SAMPLES = 200                                          # of the parameter, along eigenvalues
 CONES = {**SPACE, "elev": 14, "azim": 12}              # both are seen from the side
 Numbers = dict[str, Expr]
+Drawing = Callable[[argparse.Namespace, Numbers, Any], str]
 
 
 def run(given: argparse.Namespace, out: Output) -> int:
@@ -38,6 +39,15 @@ def run(given: argparse.Namespace, out: Output) -> int:
         save_picture(figure, path)
     out.noted(note)
     return 0
+
+
+def _of_field(draw: Callable[..., Any], **space: Any) -> Drawing:
+    """A picture of a body in a field and its numbers alone."""
+    def drawn(given: argparse.Namespace, numbers: Numbers, figure: Any) -> str:
+        scene = _in_a_field(given, numbers)
+        draw(scene, numbers, ax=figure.add_subplot(**space))
+        return _unusual(scene, numbers)
+    return drawn
 
 
 def _momentum_sphere(given: argparse.Namespace, numbers: Numbers, figure: Any) -> str:
@@ -56,11 +66,6 @@ def _rotor_set(given: argparse.Namespace, numbers: Numbers, figure: Any) -> str:
     return _unusual(scene, numbers)
 
 
-def _staude_cone(given: argparse.Namespace, numbers: Numbers, figure: Any) -> str:
-    plotting.draw_staude_cone(scene := _in_a_field(given, numbers), numbers, figure.add_subplot(**SPACE))
-    return _unusual(scene, numbers)
-
-
 def _staude_plane(given: argparse.Namespace, numbers: Numbers, figure: Any) -> str:
     rates = None
     if given.x is not None:
@@ -68,12 +73,6 @@ def _staude_plane(given: argparse.Namespace, numbers: Numbers, figure: Any) -> s
         if name != "omega":
             raise ValuesError(f"--x is {name}, and the picture is one over omega: write --x omega=-2:2")
     plotting.draw_staude_plane(scene := _in_a_field(given, numbers), numbers, rates, figure.subplots())
-    return _unusual(scene, numbers)
-
-
-def _amended_potential(given: argparse.Namespace, numbers: Numbers, figure: Any) -> str:
-    scene = _in_a_field(given, numbers)
-    plotting.draw_amended_potential(scene, numbers, figure.add_subplot(**SPACE))
     return _unusual(scene, numbers)
 
 
@@ -96,11 +95,6 @@ def _bifurcations(given: argparse.Namespace, numbers: Numbers, figure: Any) -> s
         raise ValuesError('--potential is missing: write --potential "m0*k3", or none for a free gyrostat')
     scene = scene_of(asked_of(given, {**numbers, name: low}))
     plotting.draw_bifurcation_diagram(scene, name, (low, high), numbers, figure.subplots())
-    return _unusual(scene, numbers)
-
-
-def _energy_momentum(given: argparse.Namespace, numbers: Numbers, figure: Any) -> str:
-    plotting.draw_energy_momentum(scene := _in_a_field(given, numbers), numbers, ax=figure.subplots())
     return _unusual(scene, numbers)
 
 
@@ -150,9 +144,9 @@ def _free(name: str, numbers: Numbers) -> None:
         raise ValuesError(f"{name} is given twice, by --set and as the axis --x: leave out one of the two")
 
 
-DRAWN: dict[str, Callable[[argparse.Namespace, Numbers, Any], str]] = {
+DRAWN: dict[str, Drawing] = {
     "momentum-sphere": _momentum_sphere, "nutation": _nutation, "effective-potential": _effective_potential,
-    "bifurcations": _bifurcations, "rotor-set": _rotor_set, "staude-cone": _staude_cone,
-    "staude-plane": _staude_plane,
-    "amended-potential": _amended_potential,
-    "energy-momentum": _energy_momentum, "eigenvalues": _eigenvalues, "cones": _cones}
+    "bifurcations": _bifurcations, "rotor-set": _rotor_set,
+    "staude-cone": _of_field(plotting.draw_staude_cone, **SPACE), "staude-plane": _staude_plane,
+    "amended-potential": _of_field(plotting.draw_amended_potential, **SPACE),
+    "energy-momentum": _of_field(plotting.draw_energy_momentum), "eigenvalues": _eigenvalues, "cones": _cones}

@@ -9,7 +9,7 @@ from ...algebra.solving.plane_curves import PlaneCurve
 from ...errors import ScopeError
 from ...mechanics.scenes.body import Gyrostat
 from ..finders.free import NU
-from ..finders.rotors_in_rpm import without_pi
+from ..finders.rate_level_tilt import without_pi
 
 Place = tuple[str, Expr, Expr, tuple[Expr, ...]]
 

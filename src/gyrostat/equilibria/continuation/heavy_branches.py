@@ -25,8 +25,7 @@ from ...notation import symbol
 from ...stability.criteria.numbers_asked import unknown
 from ...stability.decision import Verdict
 from ..finders.heavy import heavy_forms
-from ..finders.heavy_data import data_at
-from ..finders.heavy_form import HeavyForm
+from ..finders.heavy_form import HeavyForm, data_at
 from ..finders.heavy_polynomials import degree_in_k
 from ..finders.rate_level_tilt import exact_point
 from ..relative_equilibrium import RelativeEquilibrium

@@ -14,8 +14,7 @@ from ...notation import symbol
 from ...stability.criteria.amended_form import dot
 from ...stability.form import PRECISION
 from .free_form import FreeForm
-from .rate_level_tilt import LENGTH, numbers_of_rotations
-from .rotors_in_rpm import without_pi
+from .rate_level_tilt import LENGTH, numbers_of_rotations, without_pi
 
 NU = symbol("nu")
 

@@ -14,7 +14,7 @@ from ...stability.damping.secular import KEEPS, lost
 from ...stability.decision import Decision, Rung, settled
 from ...stability.form import Form, Invariants
 from ...stability.notion import Notion
-from ...stability.theorems.momentum_sphere import DRIFTS, circle_in_words, extremum
+from ...stability.theorems.momentum_sphere import DRIFTS, extremum
 
 ANYWHERE = settled(True, "M stays where it is: all moments are equal, and there is no rotor",
                    Rung.SECOND_VARIATION)
@@ -71,13 +71,6 @@ class FreeForm(Form):
         if self.nu is None:
             return {}
         return {"omega": evaluate(self.nu * sqrt(Add(*(m**2 for m in self.M))), {})}
-
-    @property
-    def locus(self) -> str:
-        """A circle, or the sphere."""
-        if self.circle is None:
-            return ""
-        return circle_in_words(self.circle) if any(self.circle) else "the whole sphere"
 
     @property
     def rational(self) -> bool:

@@ -14,8 +14,7 @@ from ...errors import ScopeError, ValuesError
 from ...mechanics.scenes.system import System, at_numbers, names_of_scene
 from ...notation import symbol
 from ...stability.form import PRECISION
-from .heavy_data import data_at
-from .heavy_form import HeavyForm
+from .heavy_form import HeavyForm, data_at
 from .heavy_levels import rates_on_level
 from .heavy_polynomials import DIRECTION, degree_in_k, directions_at_rate, rates_by_elimination
 from .rate_level_tilt import C1, exact_point, refuse_as_level

@@ -1,29 +1,39 @@
 """A permanent rotation of any body in a field: what decides it, and in which words."""
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
-from sympy import Expr, Matrix, Rational
+from sympy import Expr, Matrix, Rational, S, zeros
 
 from ..._cached import cached_property
 from ...algebra.enclosures.balls import ball
 from ...algebra.enclosures.precision import own_precision
 from ...algebra.reals.exact import evaluate, proved_sign
+from ...algebra.rings.matrices import cross
+from ...mechanics.equilibrium.near_pole import near_pole, refuse_rough
 from ...mechanics.scenes.system import System
 from ...notation import symbol
-from ...stability.criteria.amended_form import amended_form
+from ...stability.criteria.amended_form import amended_form, dot
 from ...stability.decision import Decision, Rung, settled, undecided
 from ...stability.form import PRECISION, Form, Invariants
 from ...stability.normal_forms.local_motion import LocalMotion
 from ...stability.normal_forms.windows import decide_window
 from ...stability.notion import Notion
-from ...stability.theorems.momentum_sphere import circle_in_words
-from .heavy_data import Data, data_at, unreached
+from .heavy_polynomials import DIRECTION
 
 LABEL = "permanent rotation"
 ACROSS = settled(False, "the rotation lies on a curve of rotations, and an eigenvalue has a positive "
                  "real part", Rung.SPECTRUM, Notion.SPECTRAL)
-ALONG = undecided("the rotation lies on a curve of rotations, along which the amended potential does not "
-                  "change")
+ALONG = undecided("the rotation lies on a curve of rotations, and its second variation is degenerate")
+
+
+class Data(NamedTuple):
+    """Of a scene at numbers, in a direction: of the body, and of U; exact, or in balls."""
+
+    inertia: list[list[Any]]
+    rotor: list[Any]
+    gradient: list[Any]
+    hessian: list[list[Any]]
 
 
 @dataclass(frozen=True)
@@ -79,13 +89,9 @@ class HeavyForm(Form):
         return {"omega": self.omega}
 
     @property
-    def locus(self) -> str:
-        """A curve, a circle or the sphere of equilibria."""
-        if self.curve is not None:
-            return f"a curve, {self.curve} = 0"
-        if self.circle is None:
-            return ""
-        return circle_in_words(self.circle) if any(self.circle) else "the whole sphere"
+    def singular(self) -> bool:
+        """Not on a circle: C1 changes along one of a single rate, and the form is definite there."""
+        return self.curve is not None
 
     @property
     def rational(self) -> bool:
@@ -110,12 +116,14 @@ class HeavyForm(Form):
         return k, Data(rows[0], vectors[0], vectors[1], rows[1]), ball(self.omega, precision)
 
     def known(self) -> Decision | None:
-        """On a curve of rotations that is no circle."""
-        return None if self.curve is None else ACROSS if self.spectral_signs[0] == -1 else ALONG
+        """On a curve of rotations that is no circle, where the second variation is degenerate."""
+        if self.curve is None or self.signs[-1]:
+            return None
+        return ACROSS if self.spectral_signs[0] == -1 else ALONG
 
     def known_damped(self) -> Decision | None:
         """The same."""
-        return None if self.curve is None else ALONG
+        return None if self.curve is None or self.signs[-1] else ALONG
 
     def held(self) -> Decision | None:
         """By normal forms."""
@@ -144,3 +152,28 @@ class HeavyForm(Form):
             if not all(x.contains(0) for x in unreached(inertia, rotor, gradient, curved, k, omega)):
                 return True
         return any(proved_sign(evaluate(x, {})) for x in unreached(*self._data, self.k, self.omega))
+
+
+def data_at(scene: System, k: Sequence[Expr]) -> Data:
+    """The inertia, the rotor, ∇U and D²U of a scene in a direction."""
+    U = scene.potential
+    assert U is not None
+    at = dict(zip(DIRECTION, k))
+    if near := near_pole(U, k[2]):
+        refuse_rough("a rotation about axis 3", U, near, (), near.positive)
+        slope = [S.Zero, S.Zero, near.derivative(1)]
+        curved = zeros(3).tolist()                         # across k nothing is asked of the curvature
+        return Data(scene.body.tensor.tolist(), list(scene.body.gyrostatic_momentum), slope, curved)
+    slopes = U.gradient()
+    rows = slopes, *(U.following(d) if d else (S.Zero,) * 3 for d in slopes)
+    first, *second = ([evaluate(U.value(d), at) if d else S.Zero for d in row] for row in rows)
+    return Data(scene.body.tensor.tolist(), list(scene.body.gyrostatic_momentum), first, second)
+
+
+def unreached(inertia: Sequence[Sequence[Any]], rotor: Sequence[Any], gradient: Sequence[Any],
+              curved: Sequence[Sequence[Any]], k: Sequence[Any], omega: Any) -> list[Any]:
+    """M × k, and D²U − k·∇U between vectors across k."""
+    M, along = [omega * dot(row, k) + l for row, l in zip(inertia, rotor)], dot(gradient, k)
+    rows = [[x - along * (n == m) for m, x in enumerate(row)] for n, row in enumerate(curved)]
+    columns = zip(*(cross(row, k) for row in rows))
+    return [*cross(M, k), *(x for column in columns for x in cross(column, k))]

@@ -10,16 +10,17 @@ from ..._cached import cached_property
 from ...algebra.enclosures.balls import ball
 from ...algebra.enclosures.precision import doubled, own_precision
 from ...algebra.reals.exact import evaluate, proved_sign
+from ...algebra.rings.matrices import adjugate, cross
 from ...algebra.solving.real_fields import FieldNumbers
 from ...mechanics.families.circular_orbit import orbital_rate, resting_at
 from ...mechanics.scenes.system import System
 from ...notation import symbol
+from ...stability.criteria.amended_form import dot, trace
 from ...stability.decision import Decision, Rung, settled, undecided
 from ...stability.form import PRECISION, Form, Invariants
 from ...stability.notion import Notion
 from ...stability.report.report import Report
 from ...stability.theorems.two_directions import HELD, on_curve
-from .orbital_invariants import invariants, unreached
 
 OPEN = undecided(HELD)
 
@@ -126,3 +127,43 @@ def balls(numbers: Sequence[Expr], precision: int) -> list[arb]:
     if isinstance(numbers, FieldNumbers):
         return numbers.balls(precision)
     return [ball(x, precision) for x in numbers]
+
+
+def invariants(tensor: Sequence[Sequence[Any]], rotor: Sequence[Any], n: Sequence[Any], r: Sequence[Any],
+               rate: Any) -> Invariants:
+    """Of K its trace, second invariant and determinant; the sextic, a cubic in λ², times det I.
+
+    In the basis (t, n, r): K = [[4ω0² (I_nn − I_rr) + ω0 l_n, −3ω0² I_tn, 0], [., 3ω0² (I_tt − I_rr),
+    3ω0² I_nr], [0, ., ω0² (I_nn − I_tt) + ω0 l_n]], g = (−ω0 I_tn, ω0 (I_tt + I_rr − I_nn) − l_n, 2ω0 I_nr).
+
+    Parameters
+    ----------
+    tensor : rows, shape (3, 3)
+        here as below numbers, balls or expressions
+    rotor, n, r : sequence, shape (3,)
+    rate : Any
+        ω0
+
+    Returns
+    -------
+    Invariants
+    """
+    frame = cross(n, r), n, r
+    I = [[dot(a, [dot(row, b) for row in tensor]) for b in frame] for a in frame]
+    along, square = dot(rotor, n) * rate, rate**2
+    (tt, tn, _), (_, nn, nr), (_, _, rr) = I
+    K = [[4 * square * (nn - rr) + along, -3 * square * tn, 0 * square],
+         [-3 * square * tn, 3 * square * (tt - rr), 3 * square * nr],
+         [0 * square, 3 * square * nr, square * (nn - tt) + along]]
+    g = [-rate * tn, rate * (tt + rr - nn) - dot(rotor, n), 2 * rate * nr]
+    minors, whole = adjugate(K), dot(K[0], cross(K[1], K[2]))
+    d = dot(I[0], cross(I[1], I[2]))
+    a = sum((dot(x, y) for x, y in zip(adjugate(I), K)), 0 * square) + dot(g, [dot(row, g) for row in I])
+    b = sum((dot(x, y) for x, y in zip(minors, I)), 0 * square) + dot(g, [dot(row, g) for row in K])
+    return Invariants((trace(K), trace(minors), whole), (d, a, b, whole))
+
+
+def unreached(tensor: Sequence[Sequence[Any]], n: Sequence[Any], r: Sequence[Any]) -> tuple[Any, Any]:
+    """t·In and n·In − r·Ir."""
+    along, vertical = ([dot(row, a) for row in tensor] for a in (n, r))
+    return dot(cross(n, r), along), dot(n, along) - dot(r, vertical)

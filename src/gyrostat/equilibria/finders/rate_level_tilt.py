@@ -2,8 +2,9 @@
 from collections.abc import Mapping
 from typing import Any
 
-from sympy import ImmutableMatrix
+from sympy import Expr, ImmutableMatrix, Matrix, S
 
+from ...algebra.enclosures.algebraic import is_algebraic
 from ...algebra.reals.exact import Point, evaluate, proved_sign
 from ...algebra.text.numbers import exact_number
 from ...algebra.text.quantities import not_mixed
@@ -158,3 +159,12 @@ def numbers_of_rotations(scene: System, values: Mapping[str, Any], free: str | N
         raise ValuesError(f"M = {numbers[LENGTH]} is not the radius of a momentum sphere: give a number that "
                           f"is {'not negative' if free is None else 'positive'}")
     return numbers
+
+
+def without_pi(vector: Matrix, radius: Expr) -> tuple[Matrix, Expr, Expr]:
+    """A vector along with l, and abs(M), both divided by abs(M) where that is not algebraic; and the divisor.
+
+    ν is the same, and algebraic where both have π.
+    """
+    unit = S.One if radius.free_symbols or is_algebraic(radius) else radius
+    return (vector / unit).expand(), radius / unit, unit

@@ -12,7 +12,7 @@ from ...algebra.text.grammar import parse
 from ...algebra.text.numbers import exact_expression, exact_number
 from ...arguments import checked
 from ...errors import BodyError, ScopeError, ValuesError, brief
-from ...notation import symbol
+from ...notation import components
 from ..scenes.body import Gyrostat
 
 MOST_DIGITS = 10_000
@@ -53,7 +53,7 @@ def torque_equations(body: Gyrostat, torque: Sequence[Any] = ("tau1", "tau2", "t
     if len(torque) != 3:
         raise BodyError(f"the torque has {len(torque)} components: give three, along the axes of the body")
     tau = ImmutableMatrix([parse(t) if isinstance(t, str) else exact_expression(t) for t in torque])
-    pi = ImmutableMatrix([symbol(f"pi{i}") for i in (1, 2, 3)])
+    pi = ImmutableMatrix(components("pi"))
     omega = body.inverse * pi
     return (pi + ImmutableMatrix(body.gyrostatic_momentum)).cross(omega) + tau
 

@@ -3,7 +3,7 @@ from sympy import Expr, ImmutableMatrix, Rational, cos, sin
 
 from ...arguments import checked
 from ...errors import ScopeError
-from ...notation import symbol
+from ...notation import components, symbol
 from ..scenes.body import Gyrostat
 from ..scenes.coupled import in_one_direction
 from ..scenes.potential import Potential
@@ -77,14 +77,13 @@ def lagrangian(body: Gyrostat, potential: Potential | None = None, convention: s
     in_one_direction(potential, "the Lagrangian")
     omega = angular_velocity(convention)
     kinetic = Rational(1, 2) * sum(moment * rate**2 for moment, rate in zip(body.moments, omega))
-    if body.moments[0] == body.moments[1]:             # ω1² + ω2² is θ̇² + φ̇² sin²θ in either convention
+    I1, I2, I3 = body.moments
+    if I1 == I2:                                       # ω1² + ω2² is θ̇² + φ̇² sin²θ in either convention
         theta, phi_dot, theta_dot = ANGLES[1], RATES[0], RATES[1]
         square = phi_dot**2 * sin(theta) ** 2 + theta_dot**2
-        kinetic = (Rational(1, 2) * body.moments[0] * square).expand() + Rational(1, 2) * body.moments[
-            2
-        ] * omega[2] ** 2
+        kinetic = (Rational(1, 2) * I1 * square).expand() + Rational(1, 2) * I3 * omega[2] ** 2
     rotor = sum(part * rate for part, rate in zip(body.gyrostatic_momentum, omega))
-    k = dict(zip(map(symbol, ("k1", "k2", "k3")), direction(convention)))
+    k = dict(zip(components("k"), direction(convention)))
     return kinetic + rotor - (potential.expression.subs(k) if potential else 0)
 
 

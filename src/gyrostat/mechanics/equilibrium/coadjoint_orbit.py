@@ -20,6 +20,7 @@ def differentials(eq: Equilibrium, functions: Sequence[Expr]) -> list[list[Expr]
 
 
 @checked
+@once
 def orbit_tangent(eq: Equilibrium) -> ImmutableMatrix:
     """Basis of the tangent space of the coadjoint orbit, T = {δx : dC(δx) = 0}.
 
@@ -50,11 +51,6 @@ def orbit_tangent(eq: Equilibrium) -> ImmutableMatrix:
     >>> gs.derivation.orbit_tangent(gs.upright(top)).T.tolist()
     [[1, 0, 0, 0, 0, 0], [0, 1, 0, 0, 0, 0], [0, 0, 0, 1, 0, 0], [0, 0, 0, 0, 1, 0]]
     """
-    return _tangent(eq)
-
-
-@once
-def _tangent(eq: Equilibrium) -> ImmutableMatrix:
     return _kernel(eq, regular_differentials(eq))
 
 

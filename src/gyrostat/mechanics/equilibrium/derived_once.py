@@ -6,8 +6,8 @@ from .equilibrium import Derived, Equilibrium
 
 
 def once(verb: Callable[[Equilibrium], Derived]) -> Callable[[Equilibrium], Derived]:
-    """The verb, derived once for each equilibrium."""
-    @wraps(verb)
+    """The verb, or the class of what is derived, asked once for each equilibrium."""
+    @wraps(verb, updated=())
     def kept(eq: Equilibrium) -> Derived:
         return eq.derived(verb)
 

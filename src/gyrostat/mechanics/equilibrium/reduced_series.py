@@ -48,6 +48,18 @@ def expansion(eq: Equilibrium, order: int) -> list[Expr]:
     return [found[Integer(n)] for n in range(order + 1)]
 
 
+def inward(eq: Equilibrium) -> Expr:
+    """The change of k3 with x: at a pole away from it."""
+    return -eq.at if eq.at**2 == 1 else S.One
+
+
+def field_coefficient(eq: Equilibrium, n: int) -> Expr:
+    """The coefficient of xⁿ in U − U(k3), n > 0; at a pole where U has roots, that of x to the n-th part."""
+    if eq.near_pole is not None:
+        return eq.near_pole.coefficient(n)
+    return symbol(jet_name(n)) * inward(eq) ** n / factorial(n)
+
+
 def powers_of_distance(eq: Equilibrium, order: int) -> dict[Rational, Expr]:
     """Coefficients of the powers of x up to an order in g on the levels of an equilibrium.
 
@@ -57,19 +69,13 @@ def powers_of_distance(eq: Equilibrium, order: int) -> dict[Rational, Expr]:
     if not 0 <= order <= MOST_TERMS:
         raise ScopeError(f"order = {brief(order)}: give one from 0 to {MOST_TERMS}")
     motion, scene, near = reduce(eq.system), eq.system, eq.near_pole
-    pi3, k3, root = scene.space.coordinates[2], eq.at, 1 if near is None else near.order
-    inward = -k3 if k3**2 == 1 else S.One
-    step = inward * DEVIATION**root
-    # U − U(k3)
-    if near is None:
-        field = Add(*(symbol(jet_name(n)) * step**n / factorial(n) for n in range(1, order + 1)))
-    else:
-        field = Add(*(near.coefficient(n) * DEVIATION**n for n in range(1, order * root + 1)))
+    pi3, root = scene.space.coordinates[2], 1 if near is None else near.order
+    field = Add(*(field_coefficient(eq, n) * DEVIATION**n for n in range(1, order * root + 1)))
     levels = {V: scene.space.casimirs[0], P: pi3 + scene.body.gyrostatic_momentum[2],
               ENERGY: scene.body.kinetic_energy(scene.space.coordinates[:3])}
     levels = {level: value.xreplace(dict(zip(scene.space.coordinates, eq.point)))
               for level, value in levels.items()}
-    g = motion.square(field).xreplace({K3: K3 + step}).xreplace(levels | {K3: k3})
+    g = motion.square(field).xreplace({K3: K3 + inward(eq) * DEVIATION**root}).xreplace(levels | {K3: eq.at})
     for name, value in eq.relations:
         if name == symbol("dU"):
             g = g.xreplace({name: value})

@@ -63,10 +63,8 @@ class Reduction(Shown, Stored):
         Expr
             [M² L⁴/T²]
         """
-        return (
-            2 * self.system.body.moments[0] * (ENERGY - self.axial - self._field(U)) * self.across
-            - self.twist**2
-        )
+        twice = 2 * self.system.body.moments[0] * (ENERGY - self.axial - self._field(U))
+        return twice * self.across - self.twist**2
 
     def effective_potential(self) -> Expr:
         """V(k3) with g = 2 I1 (1 − k3²) (energy − V).
@@ -86,9 +84,7 @@ class Reduction(Shown, Stored):
         >>> gs.mechanics.reduce(top).effective_potential()
         k3*m0 + (-l + p_psi)**2/(2*I3) + (-k3*p_psi + p_phi)**2/(2*I1*(1 - k3**2))
         """
-        return (
-            self.axial + self._field(None) + self.twist**2 / (2 * self.system.body.moments[0] * self.across)
-        )
+        return self.axial + self._field(None) + self.twist * self.rate / 2
 
     @property
     def rate(self) -> Expr:

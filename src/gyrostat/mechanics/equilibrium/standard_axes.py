@@ -51,14 +51,9 @@ def seen(eq: Equilibrium) -> Seen | None:
 
     None where it is not recognised.
     """
-    if (
-        _plain(eq.system)
-        or any(jet(name.name) for name, _ in eq.relations)
-        or not (found := _recognised(eq.system))
-    ):
+    if _plain(eq.system) or any(jet(name.name) for name, _ in eq.relations):
         return None
-    turned = _turned(found, eq, [eq.insert(x) for x in eq.point])
-    return Seen(found, turned) if turned else None
+    return _turned(eq, [eq.insert(x) for x in eq.point])
 
 
 def _plain(scene: System) -> bool:
@@ -79,10 +74,9 @@ def seen_at(eq: Equilibrium, numbers: Point) -> Seen | None:
         if all(not (a - b).free_symbols and sign_of_constant(a - b) for a, b in combinations(moments, 2)):
             return None                                    # proved different: no body of revolution
     here = placed(eq, numbers)
-    if len(here.system.linear_integrals) == 3 or not (found := _recognised(here.system)):
+    if len(here.system.linear_integrals) == 3:
         return None
-    turned = _turned(found, here, here.point)
-    return Seen(found, turned, "at these numbers ") if turned else None
+    return _turned(here, here.point, "at these numbers ")
 
 
 def placed(eq: Equilibrium, numbers: Point) -> Equilibrium:
@@ -94,18 +88,16 @@ def placed(eq: Equilibrium, numbers: Point) -> Equilibrium:
     return Equilibrium(eq.label, at_numbers(eq.system, known), point, relations)
 
 
-def _recognised(scene: System) -> "Recognition | None":
-    """The body of revolution that a scene is."""
-    return loaded("mechanics.equilibrium.recognition:recognise")(scene)
-
-
-def _turned(found: "Recognition", eq: Equilibrium, point: Sequence[Expr]) -> Equilibrium | None:
+def _turned(eq: Equilibrium, point: Sequence[Expr], where: str = "") -> Seen | None:
     """An equilibrium at a point of the scene, in the standard one and turned to k2 = 0.
 
-    None where that is not proved to be one.
+    None where the scene is not recognised, or the point not proved to be one there.
 
     As k̇ = 0, ω = omega k with omega = ω·k; its relations and its domain hold as they do in the scene.
     """
+    found: Recognition | None = loaded("mechanics.equilibrium.recognition:recognise")(eq.system)
+    if not found:
+        return None
     lowest = loaded("mechanics.scenes.functions_on_sphere:lowest")
     pi, k, moments = point[:3], point[3:], found.standard.body.moments
     k3, across = found.along(k), lowest(1 - found.along(k) ** 2)
@@ -120,9 +112,10 @@ def _turned(found: "Recognition", eq: Equilibrium, point: Sequence[Expr]) -> Equ
     relations = tuple(pair for pair in eq.relations if not jet(pair[0].name)
                       or found.standard.potential == eq.system.potential)
     try:
-        return Equilibrium(eq.label, found.standard, place, relations, eq.domain, eq.eliminated)
+        turned = Equilibrium(eq.label, found.standard, place, relations, eq.domain, eq.eliminated)
     except EquilibriumError:
         return None
+    return Seen(found, turned, where)
 
 
 def _inclined(across: Expr, eq: Equilibrium) -> bool:

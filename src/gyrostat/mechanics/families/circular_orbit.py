@@ -4,13 +4,13 @@ from dataclasses import dataclass
 from numbers import Integral
 from typing import Any, ClassVar
 
-from sympy import Add, Expr, ImmutableMatrix, Rational, Symbol, sqrt
+from sympy import Add, Expr, ImmutableMatrix, Rational, sqrt
 
 from ...algebra.reals.exact import is_identically_zero, sign_of_constant
 from ...algebra.text.numbers import exact_expression, shown
 from ...arguments import checked
 from ...errors import EquilibriumError, PotentialError, ScopeError, brief
-from ...notation import symbol
+from ...notation import components, symbol
 from ...registry import check_names
 from ..equilibrium.equilibrium import Equilibrium
 from ..scenes.coupled import CoupledPotential, coupled_potential, unit_and_orthogonal
@@ -82,7 +82,7 @@ def circular_orbit(rate: Any = None, *, mu: Any = None, radius: Any = None,
     (0, I2*omega0, 0, 0, 1, 0, 0, 0, 1)
     """
     omega0 = _rate(rate, mu, radius)
-    n, r, l = map(_components, (NORMAL, VERTICAL, "l"))
+    n, r, l = map(components, (NORMAL, VERTICAL, "l"))
     gravity = Add(*(symbol(f"I{min(i, j)}{max(i, j)}") * r[i - 1] * r[j - 1]
                     for i in (1, 2, 3) for j in (1, 2, 3)))
     U = Rational(3, 2) * omega0**2 * gravity - omega0 * Add(*(a * b for a, b in zip(n, l)))
@@ -94,11 +94,6 @@ def circular_orbit(rate: Any = None, *, mu: Any = None, radius: Any = None,
             other += Rational(3, 2) * omega0**2 * rotor.axial * along**2
     return CircularOrbit((*n, *r), U + other, False, (first, second, third),
                          unit_and_orthogonal((NORMAL, VERTICAL)), other == 0)
-
-
-def _components(name: str) -> list[Symbol]:
-    """The three symbols of a vector."""
-    return [symbol(f"{name}{i}") for i in (1, 2, 3)]
 
 
 def _beside(potential: Any) -> Expr:
@@ -119,7 +114,7 @@ def _rate(rate: Any, mu: Any, radius: Any) -> Expr:
     given = {name: exact_expression(x, f"orbit {name}")
              for name, x in (("rate", rate), ("mu", mu), ("radius", radius)) if x is not None}
     for name, value in given.items():
-        directions = sorted(map(str, value.free_symbols & {*_components(NORMAL), *_components(VERTICAL)}))
+        directions = sorted(map(str, value.free_symbols & {*components(NORMAL), *components(VERTICAL)}))
         check_names([value], f"{name} = {shown(value)}", PotentialError)
         if directions:
             raise PotentialError(f"{name} = {shown(value)} depends on {', '.join(directions)}, a direction "

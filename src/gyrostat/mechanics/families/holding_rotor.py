@@ -70,4 +70,4 @@ def earth_pointing_gyrostat(body: Gyrostat, orbit: CoupledPotential, roll: int =
             f"{shown(2 * product)} over {shown(apart)}")
     kept = n.dot(ImmutableMatrix(body.gyrostatic_momentum))
     rotor = -rate * t.dot(I * n) * t + kept * n - 4 * rate * r.dot(I * n) * r
-    return Gyrostat(body.inertia, [lowest_terms(x) if x else x for x in rotor])
+    return Gyrostat(body.inertia, list(map(lowest_terms, rotor)))

@@ -2,11 +2,12 @@
 from collections.abc import Sequence
 from typing import Any
 
-from sympy import Expr, ImmutableMatrix, cos, sin
+from sympy import Expr, ImmutableMatrix
 
 from ...algebra.text.numbers import exact_expression
 from ...arguments import checked, several
 from ...errors import ScopeError, ValuesError
+from ..classical.attitude import elementary
 from ..scenes.kind import Kind
 from ..scenes.system import System
 from .circular_orbit import axes_of, resting_at
@@ -57,9 +58,6 @@ def release(scene: System, angles: Sequence[Any], pointing: Sequence[int] = (1, 
         raise ValuesError(f"{len(angles)} angles are given: give those of roll, pitch and yaw")
     names = "angle of roll", "angle of pitch", "angle of yaw"
     roll, pitch, yaw = (exact_expression(x, name) for x, name in zip(angles, names))
-    about_roll = ImmutableMatrix([[1, 0, 0], [0, cos(roll), -sin(roll)], [0, sin(roll), cos(roll)]])
-    about_pitch = ImmutableMatrix([[cos(pitch), 0, sin(pitch)], [0, 1, 0], [-sin(pitch), 0, cos(pitch)]])
-    about_yaw = ImmutableMatrix([[cos(yaw), -sin(yaw), 0], [sin(yaw), cos(yaw), 0], [0, 0, 1]])
-    axes = axes_of(*several(pointing, "pointing", 3))
-    turned = about_yaw * about_pitch * about_roll * ImmutableMatrix(axes)
+    axes = ImmutableMatrix(axes_of(*several(pointing, "pointing", 3)))
+    turned = elementary("z", yaw) * elementary("y", pitch) * elementary("x", roll) * axes
     return resting_at(scene, turned.row(1).T, turned.row(2).T)

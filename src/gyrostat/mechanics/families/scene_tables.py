@@ -10,7 +10,7 @@ from ..._cached import cached_property
 from ..._lazy import loaded
 from ...algebra.text.grammar import parse
 from ...algebra.text.inputs import Written, is_name
-from ...algebra.text.quantities import in_si, not_mixed
+from ...algebra.text.quantities import not_mixed
 from ...errors import PublishedError, brief
 from ...notation import symbol
 from ..equilibrium.unit_vectors import STEREOGRAPHIC
@@ -58,8 +58,25 @@ class SceneTable:
                                  "includes that of the rotors, lumped = false where it does not")
 
     def entry(self, name: str, value: Any) -> Any:
-        """What is kept of an entry of the file."""
-        return _read(name, value)
+        """What is kept of an entry of the file, its numbers as texts."""
+        if name not in KEYS:
+            near = get_close_matches(str(name), sorted(KEYS), 1)
+            meant = f"did you mean {near[0]}? " if near else ""
+            raise PublishedError(f"a scene has no entry {brief(str(name))[1:-1]}: {meant}its entries are "
+                                 f"{', '.join(sorted(KEYS))}")
+        if name in _READ:
+            return _READ[name](value)
+        if name == "lumped":
+            if not isinstance(value, bool):
+                raise PublishedError(f"lumped = {brief(value)}: write true or false")
+            return value
+        if name == "inertia" and isinstance(value, list) and any(isinstance(row, list) for row in value):
+            return [_texts(name, row) for row in value]
+        if name in LISTS:
+            return _texts(name, value)
+        if not isinstance(value, str):
+            raise PublishedError(f"{name} = {brief(value)}: write a text, in quotation marks")
+        return value
 
     @cached_property
     def body(self) -> Gyrostat:
@@ -72,20 +89,16 @@ class SceneTable:
                    *((name, x) for rotor in rotors for name, x in rotor.items()),
                    *((f"orbit {name}", x) for name, x in self.table.get("orbit", {}).items()),
                    *self.table.get("values", {}).items()])
-        tensor = [[in_si(x, "inertia")[0] for x in row] if isinstance(row, list) else in_si(row, "inertia")[0]
-                  for row in inertia]
         if not rotors:
-            return Gyrostat(tensor, [in_si(x, "gyrostatic_momentum")[0] for x in momentum])
+            return Gyrostat(inertia, momentum)
         make = loaded("mechanics.scenes.rotors:gyrostat_with_rotors")
-        return make(tensor, self.rotors, lumped=self.table["lumped"])
+        return make(inertia, self.rotors, lumped=self.table["lumped"])
 
     @cached_property
     def rotors(self) -> "tuple[Rotor, ...]":
         """Those that the table has."""
-        return tuple(
-            loaded("mechanics.scenes.rotors:Rotor")(rotor["axis"], **{
-                name: in_si(x, name)[0] for name, x in rotor.items() if name != "axis"})
-            for rotor in self.table.get("rotors", []))
+        rotors = self.table.get("rotors", [])
+        return tuple(loaded("mechanics.scenes.rotors:Rotor")(**rotor) for rotor in rotors)
 
     @cached_property
     def potential(self) -> Potential | CoupledPotential | None:
@@ -98,17 +111,17 @@ class SceneTable:
             if bare in (AXIAL, GENERAL):
                 raise PublishedError(f"potential = {bare} is unspecified, and in orbit the gravity gradient "
                                      "acts: leave it out, or write an expression in n1, n2, n3, r1, r2, r3")
-            orbit = {name: in_si(x, f"orbit {name}")[0] for name, x in self.table["orbit"].items()}
             other = 0 if bare == NONE else parse(text)
             make = loaded("mechanics.families.circular_orbit:circular_orbit")
-            return make(**orbit, potential=other, rotors=self.rotors)
+            return make(**self.table["orbit"], potential=other, rotors=self.rotors)
         if bare == NONE:
             return None
         if bare in (AXIAL, GENERAL):
             return axial_potential() if bare == AXIAL else general_potential()
         expression = parse(text)
-        asymmetric = expression.free_symbols & {symbol("k1"), symbol("k2")}
-        return general_potential(expression) if asymmetric else axial_potential(expression)
+        if expression.free_symbols & {symbol("k1"), symbol("k2")}:
+            return general_potential(expression)
+        return axial_potential(expression)
 
     @cached_property
     def family(self) -> Family | None:
@@ -133,29 +146,10 @@ def scene_tables(data: Mapping[str, Any], path: Path | Traversable) -> dict[str,
     return tables
 
 
-def _read(name: str, value: Any) -> Any:
-    """An entry, its numbers as texts."""
-    if name not in KEYS:
-        near = get_close_matches(str(name), sorted(KEYS), 1)
-        meant = f"did you mean {near[0]}? " if near else ""
-        raise PublishedError(f"a scene has no entry {brief(str(name))[1:-1]}: {meant}its entries are "
-                             f"{', '.join(sorted(KEYS))}")
-    if name in _READ:
-        return _READ[name](value)
-    if name == "lumped":
-        if not isinstance(value, bool):
-            raise PublishedError(f"lumped = {brief(value)}: write true or false")
-        return value
-    if name == "inertia" and isinstance(value, list) and any(isinstance(row, list) for row in value):
-        return [_texts(name, row) for row in value]
-    if name in LISTS:
-        return _texts(name, value)
-    if name != "parameters":
-        if not isinstance(value, str):
-            raise PublishedError(f"{name} = {brief(value)}: write a text, in quotation marks")
-        return value
+def _parameters(value: Any) -> list[str]:
+    """Names in a list."""
     if not isinstance(value, list) or not all(isinstance(text, str) for text in value):
-        raise PublishedError(f"{name} = {brief(value)}: write a list of texts, in quotation marks")
+        raise PublishedError(f"parameters = {brief(value)}: write a list of texts, in quotation marks")
     for text in value:
         if not is_name(text):
             raise PublishedError(f"the parameter {brief(text)} is not a name: letters, digits and _ make one")
@@ -247,4 +241,4 @@ def _text(value: Any) -> str | None:
 
 
 _READ = {"values": _values, "rotors": _rotors, "orbit": _orbit, "pointing": _pointing,
-         "direction": _direction}
+         "direction": _direction, "parameters": _parameters}

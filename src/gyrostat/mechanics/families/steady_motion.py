@@ -3,7 +3,7 @@ from collections.abc import Sequence
 from itertools import chain
 from typing import Any
 
-from sympy import Expr, ImmutableMatrix
+from sympy import ImmutableMatrix
 
 from ...algebra.rings.polynomials import lowest_terms
 from ...algebra.text.numbers import exact_expression
@@ -70,5 +70,4 @@ def steady_motion(scene: System, *directions: Sequence[Any], omega: Sequence[Any
     at = dict(zip(potential.variables, places))
     rate = ImmutableMatrix([exact_expression(w, "omega") - b.xreplace(at)
                             for w, b in zip(several(omega, "omega", 3), potential.drift)])
-    momentum: list[Expr] = [lowest_terms(x) if x else x for x in scene.body.tensor * rate]
-    return Equilibrium(label, scene, (*momentum, *places))
+    return Equilibrium(label, scene, (*map(lowest_terms, scene.body.tensor * rate), *places))

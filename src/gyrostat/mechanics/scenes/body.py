@@ -12,11 +12,8 @@ from ...algebra.text.numbers import exact_expression, shown
 from ...algebra.text.quantities import not_mixed
 from ...arguments import checked, several
 from ...errors import ArgumentError, BodyError, ScopeError, article, brief
-from ...notation import Stored, Use, symbol
+from ...notation import Stored, Use, components, symbol
 from ...registry import check_names
-
-_INERTIA = tuple(symbol(f"I{i}") for i in (1, 2, 3))
-_ROTOR = tuple(symbol(f"l{i}") for i in (1, 2, 3))
 
 
 @dataclass(frozen=True)
@@ -48,13 +45,14 @@ class Gyrostat(Shown, Stored):
     pi1**2/4 + pi3**2/2
     """
 
-    inertia: Sequence[Any] = _INERTIA
-    gyrostatic_momentum: Sequence[Any] = _ROTOR
+    inertia: Sequence[Any] = components("I")
+    gyrostatic_momentum: Sequence[Any] = components("l")
 
     def __post_init__(self) -> None:
         given = {field: _entries(getattr(self, field), field) for field in ("gyrostatic_momentum", "inertia")}
         not_mixed((field, x) for field, entries in given.items() for x in entries)
-        rotor, inertia = (_exact(entries, field) for field, entries in given.items())
+        rotor, inertia = ([_without_surds_below(exact_expression(x, field)) for x in entries]
+                          for field, entries in given.items())
         object.__setattr__(self, "gyrostatic_momentum", tuple(map(plain, rotor)))
         object.__setattr__(self, "inertia", tensor_of(inertia) if len(inertia) == 9
                            else _as_first_written(inertia))
@@ -111,7 +109,7 @@ class Gyrostat(Shown, Stored):
         """What is positive of any body: the moments, or the leading principal minors of the tensor."""
         if not isinstance(self.inertia, ImmutableMatrix):
             return tuple(self.inertia)
-        return tuple(self.inertia[:n, :n].det(method="berkowitz") for n in (1, 2, 3))
+        return leading_minors(self.inertia)
 
     @property
     def symbols(self) -> set[Symbol]:
@@ -130,11 +128,8 @@ class Gyrostat(Shown, Stored):
         -------
         Gyrostat
         """
-        inertia = (
-            [[change(x) for x in row] for row in self.inertia.tolist()]
-            if isinstance(self.inertia, ImmutableMatrix)
-            else [change(x) for x in self.inertia]
-        )
+        inertia = (self.inertia.applyfunc(change) if isinstance(self.inertia, ImmutableMatrix)
+                   else [change(x) for x in self.inertia])
         return Gyrostat(inertia, [change(x) for x in self.gyrostatic_momentum])
 
     @checked
@@ -207,8 +202,9 @@ def tensor_of(entries: Sequence[Expr]) -> ImmutableMatrix:
     return ImmutableMatrix(3, 3, lambda i, j: tensor[min(i, j), max(i, j)])
 
 
-def _exact(given: Sequence[Any], field: str) -> tuple[Expr, ...]:
-    return tuple(_without_surds_below(exact_expression(value, field)) for value in given)
+def leading_minors(tensor: ImmutableMatrix) -> tuple[Expr, ...]:
+    """The three leading principal minors, all positive where the tensor is."""
+    return tuple(tensor[:n, :n].det(method="berkowitz") for n in (1, 2, 3))
 
 
 def _entries(given: Any, field: str) -> tuple[Any, ...]:

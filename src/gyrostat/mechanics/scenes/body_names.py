@@ -5,11 +5,11 @@ from types import MappingProxyType
 from sympy import Expr, Symbol
 
 from ...errors import ScopeError
-from ...notation import symbol
+from ...notation import components, symbol
 from .body import Gyrostat
 from .potential import Potential
 
-_MOMENTS = tuple(symbol(f"I{i}") for i in (1, 2, 3))
+_MOMENTS = components("I")
 
 
 def in_names_of(body: Gyrostat, expression: Expr, tensor: Mapping[Symbol, Expr] = MappingProxyType({})
@@ -21,7 +21,7 @@ def in_names_of(body: Gyrostat, expression: Expr, tensor: Mapping[Symbol, Expr] 
     """
     # a tensor has none
     names = dict(zip(_MOMENTS, body.moments)) if expression.free_symbols & {*_MOMENTS} else {}
-    names |= {symbol(f"l{i}"): rotor for i, rotor in zip((1, 2, 3), body.gyrostatic_momentum)}
+    names |= zip(components("l"), body.gyrostatic_momentum)
     if symbol("l") not in body.symbols:
         names |= {symbol("l"): body.gyrostatic_momentum[2]}
     names |= tensor

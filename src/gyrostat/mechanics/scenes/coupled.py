@@ -1,7 +1,6 @@
 """Fields in one or two directions with a term linear in π: h = T + β(a)·π + U(a)."""
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
-from functools import lru_cache
 from typing import Any, ClassVar
 
 from sympy import Add, Expr, S, Symbol
@@ -9,11 +8,11 @@ from sympy import Add, Expr, S, Symbol
 from ...algebra.text.numbers import exact_expression
 from ...arguments import checked, several
 from ...errors import PotentialError, ScopeError
-from ...notation import Use, symbol
+from ...notation import Use, components
 from ...registry import check_names
 from .kind import Kind
 from .lie_poisson import lie_poisson
-from .potential import Potential, expression_of
+from .potential import Potential, derivative_along, expression_of
 
 Held = tuple[tuple[Expr, Expr], ...]
 
@@ -56,25 +55,10 @@ class CoupledPotential(Potential):
         check_names(self.parameters, "the potential", PotentialError, Use.ROTOR)
 
     @property
-    def coupled(self) -> bool:
-        """Whether it is one of these."""
-        return True
-
-    @property
-    def directions(self) -> tuple[str, ...]:
-        """The names of the directions."""
-        return tuple(x.name[:-1] for x in self.variables[::3])
-
-    @property
     def parameters(self) -> tuple[Symbol, ...]:
         """The symbols of U and β other than the directions, by name."""
         names = self.expression.free_symbols.union(*(b.free_symbols for b in self.drift))
         return tuple(sorted(names - set(self.variables), key=str))
-
-    @property
-    def axial(self) -> bool:
-        """Whether U depends on k3 alone, in the plain field of one direction."""
-        return False
 
     @checked
     def changed(self, change: Callable[[Expr], Expr]) -> "CoupledPotential":
@@ -93,7 +77,7 @@ class CoupledPotential(Potential):
 
     def gradient(self) -> tuple[Expr, ...]:
         """∇U, one entry for each component of the directions."""
-        return tuple(_slope(self.expression, x) for x in self.variables)
+        return self.following(self.expression)
 
     @checked
     def following(self, derivative: Expr) -> tuple[Expr, ...]:
@@ -107,7 +91,7 @@ class CoupledPotential(Potential):
         -------
         tuple of Expr
         """
-        return tuple(_slope(derivative, x) for x in self.variables)
+        return tuple(derivative_along(derivative, x) for x in self.variables)
 
 
 @checked
@@ -157,8 +141,9 @@ def coupled_potential(expression: Any, directions: Sequence[str] = ("k", "e"),
     U = exact_expression(expression_of(expression, variables), "U")
     first, second, third = (exact_expression(b, "drift") for b in several(drift, "drift", 3))
     for entry in (first, second, third):
-        left = entry - Add(*(x * _slope(entry, x) for x in variables))
-        if left.expand() != 0 or any(_slope(entry, x).free_symbols & {*variables} for x in variables):
+        slopes = [entry.diff(x) for x in variables]
+        left = entry - Add(*(x * slope for x, slope in zip(variables, slopes)))
+        if left.expand() != 0 or any(slope.free_symbols & {*variables} for slope in slopes):
             raise PotentialError(f"drift = ({first}, {second}, {third}): {entry} is not linear in "
                                  f"{', '.join(map(str, variables))}: β is a matrix times a direction")
     check_names({s for e in (U, first, second, third) for s in e.free_symbols} - {*variables},
@@ -179,11 +164,6 @@ def in_one_direction(potential: Potential | None, what: str) -> None:
 
 def unit_and_orthogonal(directions: Sequence[str]) -> Held:
     """Each direction a unit vector, two of them at right angles."""
-    vectors = [[symbol(f"{name}{i}") for i in (1, 2, 3)] for name in directions]
+    vectors = list(map(components, directions))
     return tuple((Add(*(x * y for x, y in zip(a, b))), S.One if a is b else S.Zero)
                  for n, a in enumerate(vectors) for b in vectors[n:])
-
-
-@lru_cache(maxsize=1024)
-def _slope(expression: Expr, x: Symbol) -> Expr:
-    return expression.diff(x)

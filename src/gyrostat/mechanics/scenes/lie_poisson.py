@@ -19,7 +19,7 @@ from ...algebra.rings.polynomials import Ring, derivatives, lowest_terms
 from ...algebra.text.numbers import exact_expression
 from ...arguments import checked
 from ...errors import BodyError, ScopeError, StructureError, brief
-from ...notation import NOTATION, Stored, Use, symbol
+from ...notation import NOTATION, Stored, Use, components
 from ...registry import check_names
 
 
@@ -236,10 +236,10 @@ def lie_poisson(directions: Sequence[str] = ("k",),
 
 @lru_cache(maxsize=64)                                  # what is proved of a space is proved once
 def _space(directions: tuple[str, ...], rotor: tuple[Expr, ...]) -> LiePoisson:
-    pi, *vectors = ([symbol(f"{x}{i}") for i in (1, 2, 3)] for x in ("pi", *directions))
+    pi, *vectors = map(components, ("pi", *directions))
     M = [p + rotor_i for p, rotor_i in zip(pi, rotor)]
     if not vectors:
-        return LiePoisson(tuple(pi), hat(M), (sum(m**2 for m in M),))
+        return LiePoisson(pi, hat(M), (sum(m**2 for m in M),))
     blocks, empty = [hat(M), *map(hat, vectors)], zeros(3, 3 * len(vectors))
     tensor = ImmutableMatrix.vstack(ImmutableMatrix.hstack(*blocks),
                                     *(ImmutableMatrix.hstack(block, empty) for block in blocks[1:]))

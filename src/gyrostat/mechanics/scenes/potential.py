@@ -15,11 +15,11 @@ from ...algebra.rings.subexpressions import occurring
 from ...algebra.text.bounded_parts import BITS, enclosure, immoderate
 from ...arguments import checked
 from ...errors import PotentialError, ValuesError, brief
-from ...notation import Stored, jet, jet_name, symbol
+from ...notation import Stored, components, jet, jet_name, symbol
 from .kind import Kind
 from .potential_hints import why_not, without_k
 
-DIRECTIONS = tuple(symbol(f"k{i}") for i in (1, 2, 3))
+DIRECTIONS = components("k")
 U = Function("U", real=True)
 U.__module__ = __name__                                # pickle finds it by this name
 
@@ -86,9 +86,7 @@ class Potential(Shown, Stored):
             raise PotentialError(f"U = {self.expression} is not a finite real number: check roots, "
                                  "logarithms and denominators")
         for power in occurring(self.expression, Pow):
-            if power.exp.is_negative and not (ring := Ring([power.base])).reduce(
-                ring.fraction(power.base)[0]
-            ):
+            if power.exp.is_negative and not Ring([power.base]).numerator(power.base):
                 raise PotentialError(f"U = {self.expression} divides by {power.base}, which is 0 "
                                      "identically: check the denominators")
 
@@ -106,12 +104,12 @@ class Potential(Shown, Stored):
     @property
     def coupled(self) -> bool:
         """Whether there is a second direction, or a term β·π in the energy: a CoupledPotential."""
-        return False
+        return self.kind in (Kind.ORBIT, Kind.COUPLED)
 
     @property
     def directions(self) -> tuple[str, ...]:
         """The names of the directions."""
-        return ("k",)
+        return tuple(x.name[:-1] for x in self.variables[::3])
 
     @checked
     def changed(self, change: Callable[[Expr], Expr]) -> "Potential":
@@ -166,11 +164,7 @@ class Potential(Shown, Stored):
 
     def gradient(self) -> tuple[Expr, ...]:
         """∇U in the symbols of the jet, shape (3,)."""
-        return (
-            (Rational(0), Rational(0), symbol("dU"))
-            if self.axial
-            else tuple(symbol(jet_name(1, a)) for a in "123")
-        )
+        return self.following(symbol("U"))
 
     @checked
     def following(self, derivative: Symbol) -> tuple[Expr, ...]:
@@ -206,12 +200,13 @@ class Potential(Shown, Stored):
         """
         order, axes = jet(derivative.name) or (0, "")
         along = self.variables * order if self.axial else tuple(DIRECTIONS[int(a) - 1] for a in axes)
-        return _derivative(self.expression, along)
+        return derivative_along(self.expression, *along)
 
 
 @lru_cache(maxsize=1024)
-def _derivative(expression: Expr, along: tuple[Symbol, ...]) -> Expr:
-    return expression.diff(*along)
+def derivative_along(expression: Expr, *variables: Symbol) -> Expr:
+    """Of an expression, along each of the variables in turn."""
+    return expression.diff(*variables)
 
 
 @lru_cache(maxsize=256)

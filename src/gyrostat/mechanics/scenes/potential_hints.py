@@ -3,10 +3,10 @@ from collections.abc import Sequence
 
 from sympy import Expr, Symbol, acos, cos, expand_trig, sin, sqrt
 
-from ...notation import Use, symbol
+from ...notation import Use, components, symbol
 from ...registry import free_letters, refused, use_of, what_they_are, why_refused
 
-K1, K2, K3 = (symbol(f"k{i}") for i in (1, 2, 3))
+K1, K2, K3 = components("k")
 THETA, PHI, PSI = map(symbol, ("theta", "phi", "psi"))
 _TILTS = ("theta", "Theta", "vartheta", "th", "nutation")
 # names of papers for the direction, or for its component along axis 3
@@ -15,7 +15,7 @@ _DIRECTIONS = ("gamma", "Gamma", "nu", "alpha", "beta", "e", "s")
 _HEIGHTS = ("z", "Z")
 _ANGLES = ("k1 = sin(theta)*sin(psi), k2 = sin(theta)*cos(psi), k3 = cos(theta); phi turns the body about "
            "the field, which changes nothing")
-_IN_ORBIT = {f"{direction}{n}" for direction in "nr" for n in (1, 2, 3)}
+_IN_ORBIT = {*components("n"), *components("r")}
 LONG = 80                                                  # characters of a potential in a message
 
 
@@ -72,7 +72,7 @@ def without_k(expression: Expr, variables: Sequence[Symbol]) -> str:
     names = {s.name for s in expression.free_symbols}
     if time := [name for name in sorted(names) if use_of(name) is Use.TIME]:
         return f" and depends on {why_refused(time, ())}"
-    if names & _IN_ORBIT:
+    if expression.free_symbols & _IN_ORBIT:
         return ("; for a direction that is fixed in space write k1, k2, k3; n and r are those of a satellite "
                 "in orbit: circular_orbit(potential=…), --orbit, which has the gravity gradient already")
     if expression.is_Symbol and expression.name not in {*_VERTICAL, *_HEIGHTS}:

@@ -12,7 +12,7 @@ from ...arguments import checked
 from ...errors import BodyError, brief
 from ...notation import Use
 from ...registry import check_names
-from .body import Gyrostat
+from .body import Gyrostat, leading_minors
 from .functions_on_sphere import lowest
 
 
@@ -137,7 +137,7 @@ def gyrostat_with_rotors(inertia: Sequence[Any], rotors: Sequence[Rotor], *, lum
     left = total
     for rotor in rotors:
         left = left - rotor.axial * rotor.along
-    if not _positive(left):
+    if not all(m.free_symbols or proved_sign(m) == 1 for m in leading_minors(left)):
         raise BodyError("the rotors have more inertia about their axes than the body with them: check their "
                         "units, or say lumped=False where the tensor is without them")
     for rotor in rotors:
@@ -154,9 +154,3 @@ def _direction(axis: Sequence[Any]) -> tuple[Expr, ...]:
     if proved_sign(length) != 1:
         raise BodyError(f"axis = {brief(axis)} is not a direction: give a vector that is not 0")
     return tuple(lowest(x / sqrt(length)) for x in vector)
-
-
-def _positive(tensor: Matrix) -> bool:
-    """Whether a tensor may be positive: what has names in it may."""
-    minors = (tensor[:n, :n].det(method="berkowitz") for n in (1, 2, 3))
-    return all(m.free_symbols or proved_sign(m) == 1 for m in minors)

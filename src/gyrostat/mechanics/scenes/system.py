@@ -71,7 +71,7 @@ class System(Shown, Stored):
     @property
     def coupled(self) -> bool:
         """Whether it has two directions, or a term of the energy that is linear in π: a CoupledPotential."""
-        return self.kind in (Kind.ORBIT, Kind.COUPLED)
+        return self.potential is not None and self.potential.coupled
 
     @property
     def unspecified(self) -> bool:

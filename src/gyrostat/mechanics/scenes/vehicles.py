@@ -2,25 +2,24 @@
 from collections.abc import Sequence
 from typing import Any
 
-from sympy import Expr, ImmutableMatrix, S, Symbol
+from sympy import Expr, ImmutableMatrix, Symbol
 
 from ...algebra.reals.exact import sign_of_constant
 from ...algebra.rings.polynomials import lowest_terms
 from ...algebra.text.numbers import exact_expression, shown
 from ...arguments import checked, several
 from ...errors import BodyError
-from ...notation import symbol
+from ...notation import components
 from ...registry import check_names
-from .body import Gyrostat, tensor_of
+from .body import Gyrostat, leading_minors, tensor_of
 from .coupled import coupled_potential, unit_and_orthogonal
 from .system import System, system_of
 
 IMPULSE, DOWN = "p", "gamma"
-_INERTIA, _MASS = (tuple(symbol(f"{name}{i}") for i in (1, 2, 3)) for name in ("I", "mass"))
 
 
 @checked
-def underwater_vehicle(inertia: Sequence[Any] = _INERTIA, mass: Sequence[Any] = _MASS,
+def underwater_vehicle(inertia: Sequence[Any] = components("I"), mass: Sequence[Any] = components("mass"),
                        coupling: Sequence[Sequence[Any]] | None = None, *,
                        weight: Sequence[Any] | None = None,
                        gyrostatic_momentum: Sequence[Any] = (0, 0, 0)) -> System:
@@ -71,15 +70,15 @@ def underwater_vehicle(inertia: Sequence[Any] = _INERTIA, mass: Sequence[Any] = 
     """
     J, M = (_symmetric(given, name) for given, name in ((inertia, "inertia"), (mass, "mass")))
     D = _matrix(coupling if coupling is not None else [[0] * 3] * 3, "coupling")
-    _check_positive(M, f"the mass {_rows(M)}")
-    each = _short(M.adjugate() / M.det(method="berkowitz"))
-    tensor = _short(J - D * each * D.T)
-    _check_positive(tensor, f"J − D M⁻¹ Dᵀ = {_rows(tensor)}")
+    _check_positive(M, "the mass")
+    each = (M.adjugate() / M.det(method="berkowitz")).applyfunc(lowest_terms)
+    tensor = (J - D * each * D.T).applyfunc(lowest_terms)
+    _check_positive(tensor, "J − D M⁻¹ Dᵀ =")
     _check_names([*J, *M, *D, *(_exact(weight, "weight") if weight is not None else ())])
     body = Gyrostat(tensor.tolist(), gyrostatic_momentum)
-    B = _short(-body.inverse * D * each)
-    C = _short(each - B.T * D * each)
-    p, down = (ImmutableMatrix([symbol(f"{name}{i}") for i in (1, 2, 3)]) for name in (IMPULSE, DOWN))
+    B = (-body.inverse * D * each).applyfunc(lowest_terms)
+    C = (each - B.T * D * each).applyfunc(lowest_terms)
+    p, down = (ImmutableMatrix(components(name)) for name in (IMPULSE, DOWN))
     U, drift = p.dot(C * p) / 2, list(B * p)
     if weight is None:
         return system_of(body, coupled_potential(U, (IMPULSE,), drift))
@@ -90,7 +89,7 @@ def underwater_vehicle(inertia: Sequence[Any] = _INERTIA, mass: Sequence[Any] = 
 def _check_names(entries: Sequence[Expr]) -> None:
     """Refuse names of the motion, and those of the directions."""
     check_names(entries, "the vehicle", BodyError)
-    moving = {symbol(f"{name}{i}") for name in (IMPULSE, DOWN) for i in (1, 2, 3)}
+    moving = {*components(IMPULSE), *components(DOWN)}
     if taken := sorted(map(str, moving & set[Symbol]().union(*(e.free_symbols for e in entries)))):
         raise BodyError(f"the vehicle depends on {', '.join(taken)}, a component of the impulse p or of "
                         "gamma, the direction of gravity: write another letter for a number of your own, "
@@ -120,16 +119,8 @@ def _symmetric(given: Any, name: str) -> ImmutableMatrix:
 
 def _check_positive(matrix: ImmutableMatrix, what: str) -> None:
     """Every leading minor that is a number is positive."""
-    for n in (1, 2, 3):
-        minor = matrix[:n, :n].det(method="berkowitz")
+    for minor in leading_minors(matrix):
         if not minor.free_symbols and sign_of_constant(minor) != 1:
-            raise BodyError(f"{what} is not positive definite, a leading minor is {shown(minor)}: the "
-                            "kinetic energy is positive; check the coupling and the signs")
-
-
-def _short(matrix: ImmutableMatrix) -> ImmutableMatrix:
-    return ImmutableMatrix(matrix.applyfunc(lambda x: lowest_terms(x) if x else S.Zero))
-
-
-def _rows(matrix: ImmutableMatrix) -> str:
-    return str(matrix.tolist())
+            raise BodyError(f"{what} {matrix.tolist()} is not positive definite, a leading minor is "
+                            f"{shown(minor)}: the kinetic energy is positive; check the coupling and the "
+                            "signs")

@@ -1,7 +1,7 @@
 """Blocks and formulas, written for a terminal, as LaTeX and as JSON.
 
 `unicode` writes a formula in one line, `text` a document for a terminal. `latex` writes a formula, with the
-`latex_names` that a paper has for ours and integers of `any_length`; `linebreaks` breaks it where it is wider
-than a line. `article` is a document in LaTeX, with `prose`, and with the works that it cites (`references`),
-`tables` has the conditions alone. `json_data` writes data.
+`latex_names` that a paper has for ours; `linebreaks` breaks it where it is wider than a line. `article` is a
+document in LaTeX, with `prose`, and with the works that it cites (`references`), `tables` has the conditions
+alone. `json_data` writes data.
 """

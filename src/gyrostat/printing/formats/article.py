@@ -182,10 +182,9 @@ def to_latex(obj: Any, symbols: Mapping[Any, str] | None = None, label: str = "g
     \left(\pi_3^0 + \sigma\right)^{2} > 4 A V'(1)
     """
     paper = Paper({str(name): symbol for name, symbol in (symbols or {}).items()}, label)
-    if isinstance(obj, Report):
-        return document([obj], paper=paper)
-    if isinstance(obj, (list, tuple)) and obj and all(isinstance(report, Report) for report in obj):
-        return document(obj, paper=paper)
+    reports = obj if isinstance(obj, (list, tuple)) else [obj]
+    if reports and all(isinstance(report, Report) for report in reports):
+        return document(reports, paper=paper)
     names = Names(paper.symbols)
     shown = formula(obj, names)
     names.check()

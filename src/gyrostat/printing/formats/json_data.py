@@ -101,6 +101,9 @@ def condition_data(c: Condition) -> dict[str, Any]:
             "zero_where": strings(c.degenerate), "at": str(c.at)}
 
 
+_text = lru_cache(maxsize=4096)(str)                     # the same margins come in every line of a batch
+
+
 def decision_data(decision: Decision) -> dict[str, Any]:
     """A verdict with its reason."""
     return {"verdict": decision.verdict.name, "notion": str(decision.notion),
@@ -115,12 +118,6 @@ def decision_data(decision: Decision) -> dict[str, Any]:
 def damped_data(decision: Decision) -> dict[str, Any]:
     """A verdict under internal damping, with the number of growing modes."""
     return decision_data(decision) | {"growing": decision.growing}
-
-
-@lru_cache(maxsize=4096)
-def _text(margin: Expr) -> str:
-    """The same margins come in every line of a batch."""
-    return str(margin)
 
 
 def form_data(form: "NormalForm") -> dict[str, Any]:

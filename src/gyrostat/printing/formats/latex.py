@@ -2,12 +2,14 @@
 of the sources.
 """
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from functools import singledispatch
 from importlib import import_module
 from typing import Any
 
-from sympy import Add, Basic, Expr, MatrixBase, Mul, Pow, Symbol
+from flint import fmpz
+from sympy import Add, Basic, Expr, MatrixBase, Mul, Pow, Rational, Symbol
+from sympy.printing.latex import LatexPrinter
 
 from ...algebra.rings.readable import entries, readable
 from ...algebra.text.numbers import double
@@ -26,10 +28,9 @@ from ...stability.report.report import Report
 from ..blocks import Block, Display, Sentence, Word, rate_of
 from ..letters import letters_in
 from ..order import ordered_factors, ordered_terms, over, signed
-from ..results.decision import levels_of
-from ..results.inequalities import comparison, trivial
+from ..results.decision import letters_of_decision, levels_of
+from ..results.inequalities import comparisons
 from ..results.two_directions import motion_form
-from .any_length import AnyLength
 from .latex_names import Names, raised
 from .linebreaks import width
 
@@ -38,7 +39,7 @@ RELATIONS = {"≥": r"\geq", "≤": r"\leq", "≠": r"\neq", "∝": r"\propto", 
 _RELATION = re.compile(r" ([<>=≥≤≠]) ")
 
 
-class Printer(AnyLength):
+class Printer(LatexPrinter):
     """Terms and factors in the order of the notation.
 
     Derivatives of U take their argument from at.
@@ -50,6 +51,13 @@ class Printer(AnyLength):
 
     def _print_Symbol(self, expr: Symbol, style: str = "plain") -> str:
         return self.names.of(expr.name, self.at)
+
+    def _print_Integer(self, expr: Rational) -> str:
+        """Of any length: Python refuses to print more than 4300 digits."""
+        return str(fmpz(int(expr.p)))
+
+    def _print_Rational(self, expr: Rational) -> str:
+        return rf"{'- ' if expr.p < 0 else ''}\frac{{{fmpz(abs(int(expr.p)))}}}{{{fmpz(int(expr.q))}}}"
 
     def _print_Add(self, expr: Add, order: Any = None) -> str:
         return signed([self._print(term) for term in ordered_terms(expr)], "-")
@@ -78,9 +86,8 @@ class Printer(AnyLength):
         if exponent < 0:
             return rf"\frac{{1}}{{{self._print(Pow(base, -exponent))}}}"
         inner = self._print(base)
-        return (
-            rf"\left({inner}\right)" if base.is_Add or raised(inner) else inner
-        ) + f"^{{{exponent}}}"
+        closed = rf"\left({inner}\right)" if base.is_Add or raised(inner) else inner
+        return f"{closed}^{{{exponent}}}"
 
     def _print_AppliedUndef(self, expr: Any) -> str:
         return f"{self.names.of(str(expr.func))}({', '.join(map(self._print, expr.args))})"
@@ -122,12 +129,8 @@ _formula.register(MatrixBase, tex)
 
 @_formula.register
 def _condition(condition: Condition, names: Names) -> str:
-    shown = display(comparison(condition), names)
-    joint, relation = (r" \;\land\; ", r" \neq 0") if condition.strict else (r" \;\lor\; ", " = 0")
-    factors = [tex(readable(factor), names, condition.at) + relation for factor in condition.degenerate]
-    if condition.strict and factors and trivial(condition):
-        return joint.join(factors)
-    return joint.join([shown, *factors])
+    joint = r" \;\land\; " if condition.strict else r" \;\lor\; "
+    return joint.join(display(shown, names) for shown in comparisons(condition))
 
 
 @_formula.register
@@ -137,7 +140,7 @@ def _criterion(criterion: Criterion, names: Names) -> str:
     rows = [r" \;\land\; ".join(_formula(c, names) for c in a) or r"\text{always}"
             for a in criterion.alternatives]
     shown = rows[0] if len(rows) == 1 else r" \;\lor\; ".join(rf"\left[{row}\right]" for row in rows)
-    return shown + _modulo(criterion.modulo, names)
+    return shown + _listed("modulo the flow of", criterion.modulo, names)
 
 
 @_formula.register
@@ -189,13 +192,12 @@ def _decision(decision: Decision, names: Names) -> str:
         return rf"\text{{{verdict}}}"
     proof = "".join(rf" + \left({tex(a, names)}\right) \left({tex(F, names)}\right)"
                     for F, a in decision.certificate)
-    letters = letters_in(margin for margin, _ in decision.margins)
+    letters = letters_of_decision(decision)
     shown = rf" \quad \text{{by }} {names.of(letters.of('h'))}{proof}" if proof else ""
-    level = ", ".join(tex(C, names) for C in levels_of(decision, letters))
-    level = rf" \quad \text{{on its level of }} {level}" if level else ""
+    level = _listed("on its level of", levels_of(decision, letters), names)
     locus = rf" \quad \text{{as a set, {decision.locus}}}" if decision.locus else ""
-    scope = level + locus + _modulo(decision.modulo, names)
-    return rf"\text{{{verdict} ({decision.notion})}}" + scope + shown
+    modulo = _listed("modulo the flow of", decision.modulo, names)
+    return rf"\text{{{verdict} ({decision.notion})}}{level}{locus}{modulo}{shown}"
 
 
 @_formula.register
@@ -221,9 +223,9 @@ def _line(block: Block, names: Names) -> str:
     return line
 
 
-def _modulo(integrals: tuple[Expr, ...], names: Names) -> str:
-    shown = ", ".join(tex(integral, names) for integral in integrals)
-    return rf" \quad \text{{modulo the flow of }} {shown}" if integrals else ""
+def _listed(words: str, formulas: Sequence[Expr], names: Names) -> str:
+    shown = ", ".join(tex(formula, names) for formula in formulas)
+    return rf" \quad \text{{{words} }} {shown}" if formulas else ""
 
 
 def _aligned(rows: Iterable[tuple[Word, Any]], names: Names) -> str:

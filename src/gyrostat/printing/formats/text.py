@@ -8,7 +8,7 @@ from typing import Any
 
 from sympy import Expr, MatrixBase
 
-from ...algebra.rings.readable import entries, readable
+from ...algebra.rings.readable import entries
 from ...algebra.text.numbers import double, shown
 from ...mechanics.equilibrium.equilibrium import Equilibrium
 from ...mechanics.scenes.body import Gyrostat
@@ -25,7 +25,7 @@ from ..blocks import Block, Display, Heading, Rows, Sentence, Word
 from ..letters import letter, letters_in
 from ..results.decision import OF, named_margins
 from ..results.document import point_blocks, report_blocks
-from ..results.inequalities import comparison, trivial
+from ..results.inequalities import comparisons
 from ..results.scene import scene_blocks
 from .unicode import matrix_lines, unicode
 
@@ -54,12 +54,8 @@ def plain(obj: Any) -> str:
 
 @plain.register
 def _condition(condition: Condition) -> str:
-    shown, at = comparison(condition), condition.at
-    joint, relation = (" and ", "≠") if condition.strict else (" or ", "=")
-    factors = [f"{unicode(readable(e), at)} {relation} 0" for e in condition.degenerate]
-    if condition.strict and factors and trivial(condition):
-        return joint.join(factors)
-    return joint.join([f"{unicode(shown.name, at)} {shown.relation} {unicode(shown.value, at)}", *factors])
+    return (" and " if condition.strict else " or ").join(
+        f"{unicode(d.name, d.at)} {d.relation} {unicode(d.value, d.at)}" for d in comparisons(condition))
 
 
 @plain.register

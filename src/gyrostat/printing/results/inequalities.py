@@ -105,6 +105,14 @@ def trivial(condition: Condition) -> bool:
     return bool(condition.margin.is_number and condition.margin.is_positive)
 
 
+def comparisons(condition: Condition) -> list[Display]:
+    """Its comparison, unless that says nothing beside them, and whether its even factors vanish."""
+    relation = "≠" if condition.strict else "="
+    factors = [Display(readable(e), S.Zero, condition.at, relation) for e in condition.degenerate]
+    needless = condition.strict and factors and trivial(condition)
+    return factors if needless else [comparison(condition), *factors]
+
+
 def comparison(condition: Condition) -> Display:
     """The condition as left > right; a negative product alone as product < 0."""
     left, right = inequality(condition)

@@ -11,7 +11,7 @@ from ..independent.counterexample import Values
 from ..independent.frame_equations import model_of
 from ..independent.names_at_numbers import number
 from ..language import decimal
-from ..statements import Doubt, Seen
+from ..statements import Doubt, Seen, entry_of
 from .readings import Reading
 
 
@@ -26,9 +26,9 @@ def formula_at(r: Reading, values: Values, doubt: Doubt) -> Seen | None:
     quantity = number(_entry(r.independently(r.statement.quantity, values), doubt.place), r.scene, values)
     if sides[0].evalf(20).is_real is False:
         # the grammar refuses to read what is not real
-        return _compared(r, values, sides, (sides[0], quantity), doubt.place)
+        return _compared(r, values, sides, (sides[0], quantity), doubt)
     printed = number(_entry(r.independently(r.statement.printed, values), doubt.place), r.scene, values)
-    return _compared(r, values, sides, (printed, quantity), doubt.place)
+    return _compared(r, values, sides, (printed, quantity), doubt)
 
 
 def _solution(r: Reading, values: Values, doubt: Doubt) -> Seen | None:
@@ -50,7 +50,7 @@ def _solution(r: Reading, values: Values, doubt: Doubt) -> Seen | None:
     moving = {**values, **{x: f.subs(dict(values)) for x, f in doubt.moving.items()}}
     p, d = (e.subs(dict(values)) for e in doubt.sides)
     rate = number(r.independently(f"dt({quantity[doubt.place[0]]})", moving), r.scene, moving)
-    return _compared(r, values, (p, d), [p, rate], doubt.place)
+    return _compared(r, values, (p, d), [p, rate], doubt)
 
 
 def _entry(value: Any, place: Any) -> Any:
@@ -58,7 +58,7 @@ def _entry(value: Any, place: Any) -> Any:
 
 
 def _compared(r: Reading, values: Values, library: Sequence[Expr], again: Sequence[Any],
-              place: Any) -> Seen | None:
+              doubt: Doubt) -> Seen | None:
     """Both sides from both routes: these must agree, and the sides must not."""
     (p, d), (x, y) = library, again
     for one, other in ((d, y), (p, x)):
@@ -73,12 +73,7 @@ def _compared(r: Reading, values: Values, library: Sequence[Expr], again: Sequen
     if sides[1].is_real is not True or abs(sides[0] - sides[1]) <= 1e-20:
         return None
     by = "three turns of the body" if "angles" in r.scene.table else "Newton and Euler's equations"
-    columns = (
-        len(r.statement.printed[0])
-        if isinstance(r.statement.printed, list) and isinstance(r.statement.printed[0], list)
-        else 1
-    )
-    which = f"entry {', '.join(str(i + 1) for i in place[:2 if columns > 1 else 1])}: " if place else ""
+    which = entry_of(doubt.place, doubt.derived)
     if sides[0].is_real is not True:
         return Seen("not real", d,
                     f"{which}the printed value there is {p.evalf(8)}, by {by} it is {_short(y)}", True)

@@ -1,8 +1,6 @@
 """Checks of printed counts: how many equilibria a satellite has, of each index of K."""
 from typing import Any
 
-from ..._cached import cached_property
-from ...equilibria.relative_equilibrium import RelativeEquilibrium
 from ...equilibria.search import relative_equilibria
 from ...errors import PublishedError
 from ..independent.counterexample import Values
@@ -27,40 +25,26 @@ def count(r: Reading) -> Outcome | Doubt:
         raise PublishedError(f"printed = {', '.join(printed)}: give a whole number for each of "
                              f"{', '.join(asked)}")
     values = {s.name: value for s, value in r.at.items()}
-    counted = Counted(relative_equilibria(r.scene.system, values))
-    derived = [str(counted.of(name)) for name in asked]
+    derived = _said(asked, [None if e.locus or not e.form.signs[-1] else e.form.index
+                            for e in relative_equilibria(r.scene.system, values)])
     if derived == printed:
         return Outcome(True, ", ".join(printed), ", ".join(derived))
     return Doubt([r.at], ", ".join(printed), ", ".join(derived))
 
 
-class Counted:
-    """The equilibria of a satellite, by their index."""
-
-    def __init__(self, found: list[Any]):
-        self.found: list[RelativeEquilibrium] = found
-
-    def of(self, name: str) -> int | str:
-        """How many there are, or why that is no number."""
-        if any(e.locus or not e.form.signs[-1] for e in self.found):
-            return CURVE
-        return len(self.found) if name == "equilibria" else self.indices.count(name)
-
-    @cached_property
-    def indices(self) -> list[str]:
-        """Of each the number of negative squares of K."""
-        return [f"index {e.form.index}" for e in self.found]
+def _said(asked: list[str], indices: list[int | None]) -> list[str]:
+    """How many there are of each that is asked for, by the index of each equilibrium, None on a curve."""
+    if None in indices:
+        return [CURVE] * len(asked)
+    return [str(len(indices) if name == "equilibria" else indices.count(INDICES.index(name)))
+            for name in asked]
 
 
 def count_at(r: Reading, values: Values, doubt: Doubt) -> Seen | None:
     """The same by a search from many starts, in floats."""
     found = found_by_search(r.scene, values)
     asked, printed = _texts(r.statement.quantity), _texts(r.statement.printed)
-    if None in found:                                      # K is singular: a curve
-        again = [CURVE] * len(asked)
-    else:
-        again = [str(len(found) if name == "equilibria" else found.count(INDICES.index(name)))
-                 for name in asked]
+    again = _said(asked, found)                            # where K is singular: a curve
     if ", ".join(again) != doubt.derived:
         raise PublishedError(f"by a search from many starts the numbers are {', '.join(again)}, by the "
                              f"library {doubt.derived}")

@@ -11,7 +11,6 @@ from sympy import Expr, Integer, Mul, Poly, S, Symbol, fraction, oo, together
 from ...algebra.reals.exact import sign_of_constant
 from ...algebra.solving.roots import between, real_roots
 from ...errors import ScopeError
-from ...mechanics.equilibrium.equilibrium import Equilibrium
 from ...mechanics.families.named_families import E3, FAMILIES
 from ...notation import symbol
 from ...stability.criteria.conditions import Criterion
@@ -173,12 +172,9 @@ def _next(r: Reading, on: Values) -> Iterator[Values]:
     It decides where the first two do not.
     """
     d2U, d3U = symbol("d2U"), symbol("d3U")
-    if d2U in on and r.scene.equilibrium and _at_pole(r.scene.equilibrium):
+    family = FAMILIES.get(r.scene.equilibrium.label) if r.scene.equilibrium else None
+    if d2U in on and family and family.pole != 0:
         yield from (on | {d3U: s * (2 * abs(on[d2U]) + 1)} for s in (1, -1))
-
-
-def _at_pole(eq: Equilibrium) -> bool:
-    return eq.label in FAMILIES and FAMILIES[eq.label].pole != 0
 
 
 def _double(r: Reading, margin: Expr, s: Symbol, on: Values) -> Iterator[Values]:

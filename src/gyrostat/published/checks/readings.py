@@ -1,5 +1,7 @@
 """Reading: a statement with its texts read, in the names of its scene and its own abbreviations."""
+from collections import ChainMap
 from collections.abc import Iterable, Iterator, Mapping
+from functools import partial
 from typing import Any
 
 from sympy import Expr, MatrixBase, Symbol
@@ -10,7 +12,8 @@ from ...errors import PublishedError
 from ...notation import symbol
 from ..independent import names_at_numbers
 from ..language import part_of, read
-from ..names.derived_names import names
+from ..names.derived_names import Names, names
+from ..names.kinematics import Later
 from ..scenes import DERIVED
 from ..statements import Statement
 from .comparisons import comparisons
@@ -106,25 +109,6 @@ def _with_let(scene_names: Mapping[str, Any], let: Mapping[str, str]) -> Mapping
     """The source's own abbreviations before the names of the scene; each may use those before it."""
     layered = scene_names
     for name, text in let.items():
-        layered = _Abbreviated(name, text, layered)
+        read_later = Later(partial(part_of, text, layered))
+        layered = Names(ChainMap({name: read_later}, layered), {})  # type: ignore[arg-type]
     return layered
-
-
-class _Abbreviated(Mapping[str, Any]):
-    """One abbreviation more, read when it is used."""
-
-    def __init__(self, name: str, text: str, outer: Mapping[str, Any]):
-        self._name, self._text, self._outer = name, text, outer
-
-    @cached_property
-    def _value(self) -> Any:
-        return part_of(self._text, self._outer)
-
-    def __getitem__(self, name: str) -> Any:
-        return self._value if name == self._name else self._outer[name]
-
-    def __iter__(self) -> Iterator[str]:
-        return iter({**dict.fromkeys(self._outer), self._name: None})
-
-    def __len__(self) -> int:
-        return len(set(self._outer) | {self._name})

@@ -58,7 +58,7 @@ def points(scene: Scene, expressions: Iterable[Expr], given: Iterable[Expr], at:
         values |= {name: value.xreplace(values) for name, value in at.items()}
         values = on_family(scene, values)
         if (
-            all(_positive(e.xreplace(values)) for e in positive)
+            all(e.xreplace(values).is_positive for e in positive)
             and is_a_body(scene, values)
             and all(x.is_finite for x in values.values())
         ):
@@ -88,7 +88,3 @@ def is_a_body(scene: Scene, values: Mapping[Symbol, Expr]) -> bool:
         return all(sign_of_constant(e) == 1 for e in positive)
     moments = [moment.xreplace(dict(values)) for moment in scene.body.moments]
     return all(sign_of_constant(sum(moments) - 2 * m) in (0, 1) for m in moments)
-
-
-def _positive(value: Expr) -> bool:
-    return value.is_positive is True

@@ -113,7 +113,7 @@ def verdict_at(r: Reading, values: Values, doubt: Doubt) -> Seen | None:
         if not sign or (sign == 1) == (r.statement.printed != "unstable"):
             return None
         return Seen(r.statement.printed, "stable" if sign == 1 else "unstable", why, True)
-    plus, zero, minus = model.inertia_of_second_variation()
+    plus, zero, minus = model.inertia_of_second_variation() or (0, 0, 0)
     if not plus or not minus:
         return None
     return Seen(r.statement.printed, f"{plus} positive, {zero} zero and {minus} negative squares",

@@ -4,20 +4,22 @@ They are written with cross products and matrices. Nothing here uses the bracket
 criteria of the library, nor any published formula.
 """
 from collections.abc import Mapping
+from typing import Any
 
 import mpmath
-from sympy import Expr, Float, Integer, Matrix, Poly, Symbol, hessian, linsolve, sqrt
+from sympy import Add, Expr, Float, Integer, Matrix, Poly, Symbol, hessian, linsolve, sqrt
 
 from ..._cached import cached_property
 from ...algebra.reals.exact import sign_of_constant
 from ...errors import PublishedError
 from ...notation import symbol
 from ..scenes import Scene
-from .sphere_energy import signs_on_sphere
+from .signs import first_term, signs_on_sphere, squares_of
 
 Values = Mapping[Symbol, Expr]
 PI, K = (Matrix([symbol(f"{x}{i}") for i in (1, 2, 3)]) for x in ("pi", "k"))
 DIGITS = 50
+FAR = 10**6                                                # of a multiplier that may have any value
 
 
 class Model:
@@ -36,7 +38,7 @@ class Model:
         self.k3 = {"E1": Integer(1), "E2": Integer(-1)}.get(str(self.label), k3)
         self.U = self._potential(scene) if scene.potential else Integer(0)
         self.point = self._point() if self.label else [x.subs(self.values) for x in self.coordinates]
-        rates = self.field.subs(dict(zip(self.coordinates, self.point))) if self.label else ()
+        rates = self.field.subs(self.place) if self.label else ()
         # not a number where the field is not defined
         if not all(x.is_finite and abs(x.evalf(30)) < 1e-20 for x in rates):
             raise PublishedError(f"{self.label} is no equilibrium of Newton and Euler's equations at "
@@ -47,9 +49,7 @@ class Model:
         potential = scene.potential
         assert potential is not None
         if potential.given:
-            return potential.expression.subs({s: v
-                                              for s, v in self.values.items()
-                                              if s not in potential.variables})
+            return self.number(potential.expression)
         if not potential.axial:
             linear = sum((self.values.get(symbol(f"dU_{i}"), Integer(0)) * K[i - 1] for i in (1, 2, 3)),
                          Integer(0))
@@ -76,6 +76,15 @@ class Model:
         return [self.inertia[axis - 1] * self.values[symbol(f"omega{i}_0")] if i == axis else Integer(0)
                 for i in (1, 2, 3)]
 
+    @property
+    def place(self) -> dict[Any, Any]:
+        """The coordinates at the point."""
+        return dict(zip(self.coordinates, self.point))
+
+    def number(self, value: Any) -> Any:
+        """A value of the parameters, not of the coordinates."""
+        return value.subs({s: x for s, x in self.values.items() if s not in self.coordinates})
+
     def has_a_unit_k(self) -> bool:
         """Whether k is a unit vector at the point; on so(3)* there is none."""
         return len(self.point) == 3 or sign_of_constant(sum(x**2 for x in self.point[3:]) - 1) == 0
@@ -95,7 +104,18 @@ class Model:
     @cached_property
     def jacobian(self) -> Matrix:
         """∂f/∂x at the point."""
-        return self.field.jacobian(self.coordinates).subs(dict(zip(self.coordinates, self.point)))
+        return self.field.jacobian(self.coordinates).subs(self.place)
+
+    @cached_property
+    def energy(self) -> Expr:
+        """h of the momenta and k."""
+        return sum(p**2 / moment for p, moment in zip(PI, self.inertia)) / 2 + self.U
+
+    @cached_property
+    def casimirs(self) -> list[Expr]:
+        """M·k and k·k, of a free body M·M."""
+        M = PI + self.rotor
+        return [M.dot(K), K.dot(K)] if len(self.coordinates) == 6 else [M.dot(M)]
 
     def growth(self) -> mpmath.mpf:
         """Largest real part of an eigenvalue, to 50 digits."""
@@ -111,9 +131,8 @@ class Model:
 
         Each Casimir gives a factor λ of that of the whole field.
         """
-        lamda = symbol("lamda")
-        casimirs = 2 if len(self.coordinates) == 6 else 1
-        return Poly(self.jacobian.charpoly().all_coeffs()[:-casimirs], lamda).as_expr()
+        found = self.jacobian.charpoly().all_coeffs()[:-len(self.casimirs)]
+        return Poly([x.expand() for x in found], symbol("lamda")).as_expr()
 
     def grows(self) -> bool:
         """Whether an eigenvalue is proved to have a positive real part.
@@ -160,7 +179,8 @@ class Model:
         isolates the point.
         """
         if len(self.coordinates) == 3:
-            return self._on_sphere()
+            first, second = self.signs_on_sphere() or (1, 1)   # none where the sphere is a point
+            return (first or 0) * (second or 0)
         if not self.spins:
             return int(self.is_definite() is True)
         power, slope = self._leading()
@@ -176,10 +196,6 @@ class Model:
         """Whether k is along the axis of a body of revolution."""
         return self.label in ("E1", "E2") or bool(self.claimed) and self.k3**2 == 1
 
-    def _on_sphere(self) -> int:
-        signs = self.signs_on_sphere()                     # none where the sphere is a point
-        return (signs[0] or 0) * (signs[1] or 0) if signs else 1
-
     def signs_on_sphere(self) -> list[int | None]:
         """Of the two squares of the energy about the point on the sphere."""
         return signs_on_sphere(self.inertia, [*(Matrix(self.point) + self.rotor)], self.point)
@@ -189,59 +205,44 @@ class Model:
 
         Power and sign of its first term.
 
-        (0, 0): g is 0 throughout; sign 0: not proved, or beyond the sixth power. A pole is approached from
-        inside.
+        (0, 0): g is 0 throughout; sign 0: not proved, or beyond the sixth power.
         """
-        at = dict(zip(self.coordinates, self.point))
-        z, x, M = symbol("z"), symbol("x"), PI + self.rotor
+        z, at, M = symbol("z"), self.place, PI + self.rotor
         energy = (sum(p**2 / moment for p, moment in zip(PI[:2], self.inertia)) / 2 + self.U).subs(at)
         momentum, total = M.dot(K).subs(at), M[2].subs(at)
         g = 2 * self.inertia[0] * (energy - self.U.subs(K[2], z)) * (1 - z**2) - (momentum - total * z) ** 2
-        shifted = g.subs(z, self.k3 * (1 - x) if self.is_at_pole else self.k3 + x).expand()
-        if shifted == 0:
-            return 0, 0
-        for power in range(2, 7):                          # g and its slope vanish at an equilibrium
-            known = sign_of_constant(shifted.diff(x, power).subs(x, 0).expand())
-            if known != 0:
-                return power, known or 0
-        return 7, 0
+        # g and its slope vanish at an equilibrium
+        power, sign = first_term(g, self.k3, self.is_at_pole, 2)
+        return power, sign or 0
 
     def is_definite(self) -> bool | None:
         """Whether D²(h + ν·C) is definite on the tangent space of the orbit.
 
         None where a sign is not proved.
         """
-        try:
-            plus, zero, minus = self.inertia_of_second_variation()
-        except NotImplementedError:
-            return None
-        return not zero and 0 in (plus, minus)
-
-    def _gradients(self) -> tuple[Expr, list[Expr], Matrix]:
-        h = sum(p**2 / moment for p, moment in zip(PI, self.inertia)) / 2 + self.U
-        C = [(PI + self.rotor).dot(K), K.dot(K)]
-        rows = Matrix([[f.diff(x) for x in self.coordinates] for f in (h, *C)])
-        return h, C, rows.subs(dict(zip(self.coordinates, self.point)))
+        squares = self.inertia_of_second_variation()
+        return squares and not squares[1] and 0 in squares[::2]
 
     @cached_property
-    def multipliers(self) -> tuple[Expr, Expr]:
-        """ν with ∇h + ν1 ∇(M·k) + ν2 ∇abs(k)² = 0 at the point."""
-        _, _, gradients = self._gradients()
-        a, b = symbol("a"), symbol("b")
-        ((nu1, nu2),) = linsolve(list(gradients.row(0) + a * gradients.row(1) + b * gradients.row(2)), [a, b])
-        return nu1, nu2
+    def _gradients(self) -> Matrix:
+        """Of h and the Casimirs, in rows, at the point."""
+        rows = Matrix([[f.diff(x) for x in self.coordinates] for f in (self.energy, *self.casimirs)])
+        return rows.subs(self.place)
 
-    def inertia_of_second_variation(self) -> tuple[int, int, int]:
-        """Numbers of positive, zero and negative squares of D²(h + ν·C) on ker dC1 ∩ ker dC2."""
-        h, C, gradients = self._gradients()
-        nu1, nu2 = self.multipliers
-        form = hessian(h + nu1 * C[0] + nu2 * C[1],
-                       self.coordinates).subs(dict(zip(self.coordinates, self.point)))
-        kernel = Matrix.hstack(*gradients[1:, :].nullspace())
-        signs = [sign_of_constant(c) for c in (kernel.T * form * kernel).charpoly().all_coeffs()]
-        if None in signs:
-            raise NotImplementedError("a coefficient has no proved sign")
-        left = [s for s in signs if s]                     # all roots are real: Descartes' rule is exact
-        positive = sum(a != b for a, b in zip(left, left[1:]))
-        zero = len(signs) - 1 - max(n for n, s in enumerate(signs) if s)
-        return positive, zero, len(signs) - 1 - zero - positive
+    def multipliers(self, far: int = FAR) -> list[Expr]:
+        """ν with ∇h + Σ ν ∇C = 0 at the point; far for what is free, [] where there are none."""
+        names, rows = [symbol(f"x{n}") for n, _ in enumerate(self.casimirs, 1)], self._gradients
+        force = rows[0, :] + Add(*(x * rows[n, :] for n, x in enumerate(names, 1)), evaluate=False).doit()
+        return [x.subs(dict.fromkeys(names, far)) for nu in linsolve(list(force), names) for x in nu]
+
+    def inertia_of_second_variation(self, far: int = FAR, spin: bool = False) -> tuple[int, int, int] | None:
+        """Numbers of positive, zero and negative squares of D²(h + ν·C) on ker dC, of π3 too if it is held.
+
+        None where there is no ν, or a sign is not proved.
+        """
+        if not (nu := self.multipliers(far)):              # parallel directions, and it turns about them
+            return None
+        form = hessian(self.energy + Add(*(x * c for x, c in zip(nu, self.casimirs))), self.coordinates)
+        held = [*self._gradients[1:, :].tolist(), *[[int(x == PI[2]) for x in self.coordinates]] * spin]
+        kernel = Matrix.hstack(*Matrix(held).nullspace())
+        return squares_of(kernel.T * form.subs(self.place) * kernel)

@@ -3,10 +3,9 @@
 Newton and Euler's of a satellite and of a body in two fields, Kirchhoff's of a vehicle. Nothing here uses the
 bracket, the linearisation or the criteria of the library, nor any published formula.
 """
-from collections.abc import Callable
 from typing import Any
 
-from sympy import Add, Expr, Integer, Matrix, MatrixBase, Poly, Rational, hessian, linsolve, sqrt, zeros
+from sympy import Expr, Matrix, Rational, sqrt, zeros
 
 from ..._cached import cached_property
 from ...algebra.reals.exact import sign_of_constant
@@ -16,9 +15,7 @@ from ...errors import PublishedError
 from ...notation import symbol
 from ..names.kinematics import Later
 from ..scenes import Scene
-from .counterexample import PI, Model, Values
-
-FAR = 10**6                                                # of a multiplier that may have any value
+from .counterexample import FAR, PI, Model, Values
 
 
 def model_of(scene: Scene, values: Values) -> Model:
@@ -50,24 +47,9 @@ class InFrame(Model):
             raise PublishedError(f"{self.label} is no equilibrium of the equations of motion at "
                                  f"{self.values}")
 
-    @property
-    def place(self) -> dict[Any, Any]:
-        """The coordinates at the point."""
-        return dict(zip(self.coordinates, self.point))
-
-    def number(self, value: Any) -> Any:
-        """A value of the parameters, not of the coordinates."""
-        return value.subs({s: x for s, x in self.values.items() if s not in self.coordinates})
-
     def has_a_unit_k(self) -> bool:
         """Whether the directions are as the scene has them: construction checks it."""
         return True
-
-    @cached_property
-    def polynomial(self) -> Expr:
-        """Characteristic polynomial on the orbit: each of three Casimirs gives a factor λ."""
-        found = self.jacobian.charpoly().all_coeffs()[:-3]
-        return Poly([x.expand() for x in found], symbol("lamda")).as_expr()
 
     @cached_property
     def coefficients(self) -> tuple[Expr, Expr, Expr]:
@@ -99,46 +81,15 @@ class InFrame(Model):
 
     def is_definite(self) -> bool | None:
         """Whether the energy has a strict minimum, π3 fixed and but for the spin of a body of revolution."""
-        found = [self._squares(far, self.spins) for far in (FAR, -FAR)]
+        found = [self.inertia_of_second_variation(far, self.spins) for far in (FAR, -FAR)]
         return None if None in found else any(s and not s[2] and not s[1] - self.spins for s in found)
 
     def is_least(self) -> bool | None:
         """The same on the level of the Casimirs alone."""
-        found = [s for far in (FAR, -FAR) if (s := self._squares(far, False)) is not None]
+        found = [s for far in (FAR, -FAR) if (s := self.inertia_of_second_variation(far))]
         if any(not s[2] and s[1] == self.spins for s in found):
             return True
         return False if found and all(s[2] for s in found) else None
-
-    def inertia_of_second_variation(self) -> tuple[int, int, int]:
-        """Numbers of positive, zero and negative squares on the level of the Casimirs."""
-        found = self._squares(FAR, False)
-        if found is None:
-            raise NotImplementedError("a coefficient has no proved sign")
-        return found
-
-    def _squares(self, far: int, spin: bool) -> tuple[int, int, int] | None:
-        """Positive, zero and negative squares of D²(h + ν·C) on ker dC, of π3 too if it is held; of a
-        multiplier that is free where the directions are parallel the value is far.
-        """
-        names = [symbol(f"x{n}") for n in (1, 2, 3)]
-        rows = Matrix([[f.diff(x) for x in self.coordinates] for f in (self.energy, *self.casimirs)])
-        rows = rows.subs(self.place)
-        force = rows[0, :] + Add(*(x * rows[n, :] for n, x in enumerate(names, 1)), evaluate=False).doit()
-        found = list(linsolve(list(force), names))
-        if not found:                                      # parallel directions, and it turns about them
-            return None
-        nu = [x.subs(dict.fromkeys(names, far)) for x in found[0]]
-        form = hessian(self.energy + Add(*(x * c for x, c in zip(nu, self.casimirs))), self.coordinates)
-        held = [list(rows.row(n)) for n in (1, 2, 3)] + [[0, 0, 1] + [0] * 6] * spin
-        kernel = Matrix.hstack(*Matrix(held).nullspace())
-        matrix = kernel.T * form.subs(self.place) * kernel
-        signs = [sign_of_constant(c.expand()) for c in matrix.charpoly().all_coeffs()]
-        if None in signs:
-            return None
-        left = [s for s in signs if s]
-        positive = sum(x != y for x, y in zip(left, left[1:]))
-        zero = len(signs) - 1 - max(n for n, s in enumerate(signs) if s)
-        return positive, zero, len(signs) - 1 - zero - positive
 
     @cached_property
     def _turned_by_a_little(self) -> tuple[Matrix, Matrix, Matrix]:
@@ -205,33 +156,10 @@ def _torque(model: InFrame, U: Expr) -> Matrix:
     return a + b
 
 
-def frame_names_at_numbers(model: InFrame, scene: Scene) -> dict[str, Any]:
-    """The names of a scene in two directions."""
-    x = model.coordinates
-    named: dict[str, Any] = {str(s): v for s, v in model.values.items() if s not in x}
-    named |= {str(s): s for s in x} | {f"omega{i}": model.omega[i - 1] for i in (1, 2, 3)}
-    named |= {f"C{n}": c for n, c in enumerate(model.casimirs, 1)}
-    named |= {f"vector_{str(v[0])[:-1]}": v for v in (model.a, model.b)}
-    at_rest = model.energy.subs(dict.fromkeys(PI, 0))
-    named |= {"vector_pi": PI, "vector_l": model.rotor, "vector_M": PI + model.rotor, "h": model.energy,
-              "vector_omega": model.omega, "field": model.field, "state": Matrix(x), "U": at_rest}
-    if not model.label:
-        return named | {"dt": _along(x, model.field)}
-    for name, value in named.items():
-        if isinstance(value, (Expr, MatrixBase)):
-            named[name] = Later(lambda value=value: value.subs(model.place))  # type: ignore[misc]
+def frame_names(model: InFrame) -> dict[str, Any]:
+    """Of I θ̈ + g × θ̇ + K θ = 0: the tensor I, g, K, and c2, c1, c0 of the sextic."""
     g = Later(lambda: Matrix([model._turned_by_a_little[1][i, j] for i, j in ((2, 1), (0, 2), (1, 0))]))
-    lamda = symbol("lamda")
-    return named | {
-        "jacobian": Later(lambda: model.jacobian), "lamda": model.values.get(lamda, lamda),
-        "polynomial": Later(lambda: model.polynomial.subs(model.values)),
+    return {
         "tensor": Later(lambda: model._turned_by_a_little[0]), "gyroscopic": g,
         "stiffness": Later(lambda: model._turned_by_a_little[2]),
         **{f"c{2 - n}": Later(lambda n=n: model.coefficients[n]) for n in range(3)}}  # type: ignore[misc]
-
-
-def _along(coordinates: list[Expr], direction: Matrix) -> Callable[[Any], Any]:
-    """The derivative along the motion."""
-    def one(f: Expr) -> Expr:
-        return Add(*(f.diff(s) * rate for s, rate in zip(coordinates, direction)), Integer(0))
-    return lambda f: f.applyfunc(one) if isinstance(f, MatrixBase) else one(f)

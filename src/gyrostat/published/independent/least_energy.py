@@ -2,10 +2,10 @@
 
 Nothing here uses the bracket, the second variation or the criteria of the library.
 """
-from ...algebra.reals.exact import sign_of_constant
 from ...notation import symbol
 from .counterexample import PI, K, Model
 from .frame_equations import InFrame
+from .signs import first_term
 
 
 def is_least(model: Model) -> bool | None:
@@ -21,11 +21,8 @@ def is_least(model: Model) -> bool | None:
         return False if -1 in signs else True if signs == [1, 1] else None
     if model.spins:
         return _is_least_at_its_height(model)
-    try:
-        _, zero, minus = model.inertia_of_second_variation()
-    except NotImplementedError:
-        return None
-    return False if minus else None if zero else True
+    squares = model.inertia_of_second_variation()
+    return None if squares is None else False if squares[2] else None if squares[1] else True
 
 
 def _is_least_at_its_height(model: Model) -> bool | None:
@@ -34,16 +31,9 @@ def _is_least_at_its_height(model: Model) -> bool | None:
 
     A pole is approached from inside.
     """
-    at = dict(zip(model.coordinates, model.point))
-    z, x = symbol("z"), symbol("x")
-    energy = (sum(p**2 / moment for p, moment in zip(PI, model.inertia)) / 2 + model.U).subs(at)
+    z, at = symbol("z"), model.place
     along = (PI + model.rotor).dot(K).subs(at) - model.rotor[2] * z
     inertia = model.inertia[0] * (1 - z**2) + model.inertia[2] * z**2
-    excess = 2 * inertia * (model.U.subs(K[2], z) - energy) + along**2
-    pole = model.is_at_pole
-    excess = excess.subs(z, model.k3 * (1 - x) if pole else model.k3 + x).expand()
-    for power in range(1, 7):
-        known = sign_of_constant(excess.diff(x, power).subs(x, 0).expand())
-        if known != 0:
-            return None if known is None else known > 0 and (pole or power % 2 == 0)
-    return None
+    excess = 2 * inertia * (model.U.subs(K[2], z) - model.energy.subs(at)) + along**2
+    power, sign = first_term(excess, model.k3, model.is_at_pole, 1)
+    return sign > 0 and (model.is_at_pole or power % 2 == 0) if sign else None

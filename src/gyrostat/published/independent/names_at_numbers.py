@@ -2,7 +2,7 @@
 
 What confirms a counterexample.
 """
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import mpmath
@@ -13,10 +13,12 @@ from ..names.derived_names import FUNCTIONS, Names, with_letters
 from ..names.kinematics import Later
 from ..scenes import Scene
 from .arnold import normal_form_names
-from .counterexample import DIGITS, PI, K, Values
-from .frame_equations import InFrame, frame_names_at_numbers, model_of
+from .counterexample import DIGITS, PI, K, Model, Values
+from .frame_equations import InFrame, frame_names, model_of
 from .three_turns import turning
 from .torques import amended_names, cone_names
+
+LAMDA = symbol("lamda")
 
 
 def names(scene: Scene, values: Values) -> Names:
@@ -38,65 +40,69 @@ def _functions() -> dict[str, Callable[..., Any]]:
 
 def _moving(scene: Scene, values: Values) -> dict[str, Any]:
     model = model_of(scene, values)
-    if isinstance(model, InFrame):
-        return frame_names_at_numbers(model, scene)
-    x, field = model.coordinates, model.field
-    h = sum(p**2 / moment for p, moment in zip(PI, model.inertia)) / 2 + model.U
+    x, framed = model.coordinates, isinstance(model, InFrame)
     named: dict[str, Any] = {str(s): v for s, v in model.values.items() if s not in x and not jet(s.name)}
-    named |= {str(s): s for s in x}
-    M = PI + model.rotor
-    named |= {f"omega{i}": model.omega[i - 1] for i in (1, 2, 3)}
-    named |= {"vector_pi": PI, "vector_k": K, "vector_l": model.rotor, "vector_M": M,
-              "vector_omega": model.omega, "h": h, "U": model.U,
-              "T": h - model.U, "C": M.dot(M), "C1": M.dot(K), "C2": K.dot(K), "field": field,
-              "state": Matrix(x)}
+    named |= {str(s): s for s in x} | {f"omega{i}": model.omega[i - 1] for i in (1, 2, 3)}
+    named |= {f"vector_{str(x[n])[:-1]}": Matrix(x[n:n + 3]) for n in range(0, len(x), 3)}
+    named |= dict(zip(("C1", "C2", "C3") if x[3:] else ("C",), model.casimirs))
+    named |= {"vector_l": model.rotor, "vector_M": PI + model.rotor, "vector_omega": model.omega,
+              "h": model.energy, "U": model.U, "field": model.field, "state": Matrix(x)}
+    if not framed:
+        named |= {"T": model.energy - model.U}
     if len(x) == 6:
         slope = model.U.diff(K[2])
         named |= {"dU": slope, "d2U": slope.diff(K[2]), "d3U": slope.diff(K[2], 2)}
         named |= {f"dU_{i}": model.U.diff(K[i - 1]) for i in (1, 2, 3)}
-        if not model.label:
-            named |= cone_names(model, any(scene.body.gyrostatic_momentum))
-    if model.label:
-        place = dict(zip(x, model.point))
-        for name, value in named.items():
-            if isinstance(value, (Expr, MatrixBase)):
-                named[name] = Later(lambda value=value: value.subs(place))  # type: ignore[misc]
-        lamda = symbol("lamda")
-        named |= {"jacobian": Later(lambda: model.jacobian),
-                  "polynomial": Later(lambda: model.polynomial.subs(model.values)),
-                  "lamda": model.values.get(lamda, lamda),
-                  "q": Later(lambda: model.polynomial.coeff(lamda, 0))}
-        if not model.claimed:                              # a basis of the orbit, known by the axis
-            basis = [0, 1, 3, 4] if len(x) == 6 else [n for n in range(3)
-                                                      if n + 1 != int(str(model.label)[-1])]
-            named |= {"linearization": Later(lambda: model.jacobian.extract(basis, basis)),
-                      "identity": diag(*[1] * len(basis))}
-        if len(x) == 6 and all(e.is_Rational for e in model.point):
-            named |= {f"nu{n + 1}": Later(lambda n=n: model.multipliers[n])  # type: ignore[misc]
-                      for n in (0, 1)}
-        if len(x) == 6:
-            named |= {**amended_names(model), **normal_form_names(model)}
-        return named | ({"p": Later(lambda: model.polynomial.coeff(lamda, 2))} if len(x) == 6 else {})
+    if not model.label:
+        return named | ({"dt": _along(x, model.field)} if framed else _in_motion(model, scene))
+    for name, value in named.items():
+        if isinstance(value, (Expr, MatrixBase)):
+            named[name] = Later(lambda value=value: value.subs(model.place))  # type: ignore[misc]
+    named |= {"jacobian": Later(lambda: model.jacobian), "lamda": model.values.get(LAMDA, LAMDA),
+              "polynomial": Later(lambda: model.polynomial.subs(model.values))}
+    return named | (frame_names(model) if isinstance(model, InFrame) else _at_equilibrium(model))
 
-    def along(direction: Matrix) -> Callable[[Any], Any]:
-        def one(f: Expr) -> Expr:
-            return sum((f.diff(s) * rate for s, rate in zip(x, direction)), Integer(0))
-        return lambda f: f.applyfunc(one) if isinstance(f, MatrixBase) else one(f)
+
+def _at_equilibrium(model: Model) -> dict[str, Any]:
+    found: dict[str, Any] = {"q": Later(lambda: model.polynomial.coeff(LAMDA, 0))}
+    six = len(model.coordinates) == 6
+    if not model.claimed:                                  # a basis of the orbit, known by the axis
+        basis = [0, 1, 3, 4] if six else [n for n in range(3) if n + 1 != int(str(model.label)[-1])]
+        found |= {"linearization": Later(lambda: model.jacobian.extract(basis, basis)),
+                  "identity": diag(*[1] * len(basis))}
+    if six and all(e.is_Rational for e in model.point):
+        found |= {f"nu{n + 1}": Later(lambda n=n: model.multipliers()[n])  # type: ignore[misc]
+                  for n in (0, 1)}
+    if six:
+        found |= {**amended_names(model), **normal_form_names(model),
+                  "p": Later(lambda: model.polynomial.coeff(LAMDA, 2))}
+    return found
+
+
+def _along(x: Sequence[Expr], direction: Matrix) -> Callable[[Any], Any]:
+    """The derivative in a direction."""
+    def one(f: Expr) -> Expr:
+        return sum((f.diff(s) * rate for s, rate in zip(x, direction)), Integer(0))
+    return lambda f: f.applyfunc(one) if isinstance(f, MatrixBase) else one(f)
+
+
+def _in_motion(model: Model, scene: Scene) -> dict[str, Any]:
+    x, M = model.coordinates, PI + model.rotor
 
     def bracket(f: Any, g: Expr) -> Any:
         """{f, g} = ∇f · (M × ∂πg + k × ∂kg, k × ∂πg)."""
         c, d = (Matrix([g.diff(s) for s in part]) for part in (PI, K))
-        return along(Matrix([*(M.cross(c) + K.cross(d)), *K.cross(c)]))(f)
+        return _along(x, Matrix([*(M.cross(c) + K.cross(d)), *K.cross(c)]))(f)
 
-    named["B"] = Later(lambda: Matrix([[bracket(a, b) for b in x] for a in x]))
     delta = Matrix([model.values.get(symbol(f"delta_{s}"), Integer(0)) for s in x])
-    named |= {"delta_pi": Matrix(delta[:3]), "delta_k": Matrix(delta[3:]), "dt": along(field),
-              "variation": along(delta),
-              "bracket": bracket, "gradient_pi": lambda f: Matrix([f.diff(s) for s in PI]),
-              "gradient_k": lambda f: Matrix([f.diff(s) for s in K])}
-    named |= {f: sum((model.values.get(symbol(scene.derived(f"{f}{i}")), Integer(0)) * s
+    found = {"B": Later(lambda: Matrix([[bracket(a, b) for b in x] for a in x])),
+             "delta_pi": Matrix(delta[:3]), "delta_k": Matrix(delta[3:]), "dt": _along(x, model.field),
+             "variation": _along(x, delta),
+             "bracket": bracket, "gradient_pi": lambda f: Matrix([f.diff(s) for s in PI]),
+             "gradient_k": lambda f: Matrix([f.diff(s) for s in K])}
+    found |= {f: sum((model.values.get(symbol(scene.derived(f"{f}{i}")), Integer(0)) * s
                       for i, s in enumerate(x, 1)), Integer(0)) for f in "FG"}
-    return named
+    return {**found, **(cone_names(model, any(scene.body.gyrostatic_momentum)) if len(x) == 6 else {})}
 
 
 def _period(inertia: tuple[Expr, ...], momentum: tuple[Expr, ...]) -> Expr:

@@ -43,7 +43,7 @@ class Motion:
         root = (p**2 - 4 * q).sqrt()
         self.rates = [((p + root) / 2).real.sqrt(), (2 * q / (p + root)).real.sqrt()]
         self.values = [acb(0, s * rate) for rate in self.rates for s in (1, -1)]
-        self.A = matrix(self.model.jacobian.tolist())
+        self.A = acb_mat([[ball(x) for x in row] for row in self.model.jacobian.tolist()])
         self.onto = [self._projection(n) for n in range(4)]
         square = self.A * self.A
         self.still = (square * square + square * p + identity() * q) * (1 / q)
@@ -212,11 +212,6 @@ def ball(x: Expr) -> Any:
     if x.is_Rational:
         return acb(fmpq(int(x.p), int(x.q)))
     return acb(arb(f"{x.evalf(90)} +/- {abs(x.evalf(90)) / 10**80}"))
-
-
-def matrix(rows: Sequence[Sequence[Expr]]) -> Any:
-    """Of numbers."""
-    return acb_mat([[ball(x) for x in row] for row in rows])
 
 
 def identity() -> Any:

@@ -56,9 +56,9 @@ def _left(model: Model) -> tuple[Expr, Expr]:
 
     δπ = I (x − y k) with x = −nu1 δk and y so that the constraint holds.
     """
-    at = dict(zip(model.coordinates, model.point))
+    at = model.place
     k, M, I = K.subs(at), (PI + model.rotor).subs(at), Matrix.diag(*model.inertia)
-    nu1, nu2 = model.multipliers
+    nu1, nu2 = model.multipliers()
     across = [v for v in (k.cross(Matrix(e)) for e in ((1, 0, 0), (0, 1, 0), (0, 0, 1))) if any(v)]
     first = across[0]
     pair = [first, k.cross(first)]                         # across k and each other, of one length

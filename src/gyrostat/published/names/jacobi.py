@@ -27,34 +27,27 @@ def _value(letters: str, u: Expr, m: Expr, prec: int) -> Expr:
 
 class _Jacobi(Function):
     nargs = 2
-    letters = ""
 
     def _eval_evalf(self, prec: int) -> Expr | None:
         if any(a.free_symbols for a in self.args):
             return None
-        return _value(self.letters, *self.args, prec)
+        return _value(self.func.__name__, *self.args, prec)
 
     def fdiff(self, argindex: int = 1) -> Any:
         u, m = self.args
         if argindex != 1:
-            raise NotImplementedError(f"d{self.letters}/dm is not needed by any formula")
+            raise NotImplementedError(f"d{self.func.__name__}/dm is not needed by any formula")
         return {"sn": cn(u, m) * dn(u, m), "cn": -sn(u, m) * dn(u, m),
-                "dn": -m * sn(u, m) * cn(u, m)}[self.letters]
+                "dn": -m * sn(u, m) * cn(u, m)}[self.func.__name__]
 
 
 class sn(_Jacobi):
     """sn' = cn dn."""
 
-    letters = "sn"
-
 
 class cn(_Jacobi):
     """cn' = −sn dn."""
 
-    letters = "cn"
-
 
 class dn(_Jacobi):
     """dn' = −m sn cn."""
-
-    letters = "dn"

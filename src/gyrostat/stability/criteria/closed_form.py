@@ -17,15 +17,7 @@ from ...mechanics.scenes.system import System, names_of_scene
 from ...notation import symbol
 from ...registry import Letters
 from ..notion import Notion
-from .amended_form import (
-    AmendedForm,
-    dot,
-    of_forms,
-    reduced_inertia,
-    second_variation,
-    trace,
-    with_multiplier,
-)
+from .amended_form import AmendedForm, dot, of_forms, reduced_inertia, second_variation, with_multiplier
 from .conditions import Condition, Criterion
 from .numbers_asked import names_in
 
@@ -80,7 +72,7 @@ class ClosedForm:
         form = of_forms(own.K, own.A, own.G, k, own.J / tensor.det())
         return ((own.J, dot(k, along)), *zip(own.v, v), *((own.K[i][j], second[i][j]) for i, j in UPPER),
                 *((own.A[i][j], reduced[i][j]) for i, j in UPPER),
-                (own.G, dot(own.v, along) / own.J - omega * trace(inertia)), (own.trace, form.trace.expand()),
+                (own.G, dot(own.v, along) / own.J - omega * tensor.trace()), (own.trace, form.trace.expand()),
                 (own.determinant, form.determinant.expand()), (own.p, form.p),
                 (own.q, own.J * own.determinant / tensor.det()))
 
@@ -137,10 +129,7 @@ class ClosedForm:
         return [*flat, omega, mu]
 
 
-@once
-def closed_form(eq: Equilibrium) -> ClosedForm:
-    """What decides a family in k1, k2, k3, derived once."""
-    return ClosedForm(eq)
+closed_form = once(ClosedForm)                             # derived once for each family
 
 
 def _shaped(flat: Sequence[Any]) -> tuple[Any, ...]:

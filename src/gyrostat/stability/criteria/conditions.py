@@ -2,7 +2,7 @@
 
 The spectral and the formal test as inequalities, reduced to what is independent.
 """
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field, replace
 
 from sympy import Expr, Symbol
@@ -122,6 +122,15 @@ def independent(criterion: Criterion, eq: Equilibrium) -> Criterion:
         return first                                     # one conjunction, reduced to the end
     signs = Signs.over(map(eq.insert, _expressions(first)), eq.existence())
     return _independent(first, eq, eq.insert, signs)
+
+
+def all_positive(notion: Notion, named: Sequence[tuple[str, Expr]], eq: Equilibrium,
+                 domain: Iterable[Expr]) -> Criterion:
+    """Where every expression, with the name of its source, is positive on a domain."""
+    signs = Signs.over([e for _, e in named], domain)
+    left = reduced([Item(*signs.margin(e), True, name) for name, e in named], signs)
+    return Criterion(notion, () if left is None else (tuple(condition_of(signs.ring, item, eq)
+                                                            for item in left),))
 
 
 def sources(eq: Equilibrium, margins: Iterable[Expr], criteria: Iterable[Criterion]) -> tuple[str, ...]:

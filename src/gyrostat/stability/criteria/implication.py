@@ -163,14 +163,11 @@ def eliminate(items: list[Item], nu: Expr, signs: Signs) -> list[list[Item]]:
     others = [item for item in items if item not in with_nu]
     if not with_nu:
         return [others]
-    if (
-        len(with_nu) == 1
-        and not with_nu[0].degenerate
-        and (n := int(with_nu[0].margin.degrees()[index])) <= 2
-    ):
-        c, b, a = (*by_degree(with_nu[0].margin, index, n), *[signs.ring.zero] * (2 - n))
-        discriminant = Item(*signs.split(b**2 - 4 * a * c, signs.ring.one), True, with_nu[0].source)
-        opens = Item(*signs.split(a, signs.ring.one), True, with_nu[0].source)
+    one, n = with_nu[0], int(with_nu[0].margin.degrees()[index])
+    if len(with_nu) == 1 and not one.degenerate and n <= 2:
+        c, b, a = (*by_degree(one.margin, index, n), *[signs.ring.zero] * (2 - n))
+        discriminant = Item(*signs.split(b**2 - 4 * a * c, signs.ring.one), True, one.source)
+        opens = Item(*signs.split(a, signs.ring.one), True, one.source)
         return [[*others, opens], [*others, discriminant]]
     at_zero = [replace(i, margin=by_degree(i.margin, index, int(i.margin.degrees()[index]))[0])
                for i in with_nu]
@@ -196,5 +193,3 @@ def _nonzero_with(item: Item, rest: list[Item], signs: Signs) -> bool:
     return not item.degenerate and all(
         signs.nonzero(factor) or any(not divmod(r.margin, factor)[1] for r in rest if r.strict)
         for factor, _ in item.margin.factor()[1])
-
-

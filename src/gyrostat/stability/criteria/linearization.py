@@ -6,7 +6,6 @@ from sympy import Expr, I, ImmutableMatrix, Mul, Poly, Pow, S, roots, sqrt
 
 from ..._cached import cached_property
 from ..._display import Shown
-from ..._lazy import loaded
 from ...algebra.rings.matrices import characteristic_coefficients, multiply
 from ...algebra.rings.polynomials import Ring
 from ...arguments import checked
@@ -16,6 +15,7 @@ from ...mechanics.equilibrium.derivation_ring import rows_at_point, signs_over
 from ...mechanics.equilibrium.derived_once import once
 from ...mechanics.equilibrium.equilibrium import Equilibrium
 from ...notation import Stored, symbol
+from .sextic import factors_in_squares
 
 LAMBDA = symbol("lamda")
 
@@ -115,8 +115,7 @@ class Linearization(Shown, Stored):
         I*(pi3_0/2 + sqrt(4*dU + pi3_0**2)/2)
         """
         if len(self.coefficients) == 3:
-            factors = loaded("stability.criteria.sextic:factors_in_squares")(self.coefficients)
-            squares = [root for factor in factors for root in _roots(factor)]
+            squares = [root for factor in factors_in_squares(self.coefficients) for root in _roots(factor)]
             return tuple(s * I * sqrt(-root) for root in squares for s in (1, -1))
         parts = self.frequencies()
         if parts is None:
@@ -217,6 +216,4 @@ def square_root(expression: Expr) -> Expr:
 def rational_root(expression: Expr) -> Expr | None:
     """r with r² the expression, a fraction of polynomials; None where there is none."""
     root = square_root(expression)
-    return (
-        None if root.atoms(Pow) and any(p.exp.q == 2 for p in root.atoms(Pow) if p.exp.is_Rational) else root
-    )
+    return None if any(p.exp.q == 2 for p in root.atoms(Pow) if p.exp.is_Rational) else root

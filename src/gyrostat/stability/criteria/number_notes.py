@@ -13,10 +13,10 @@ from ...algebra.reals.exact import Point, evaluate, sign_of_constant
 from ...mechanics.scenes.body import Gyrostat
 from ...mechanics.scenes.coupled import CoupledPotential
 from ...mechanics.scenes.system import System
-from ...notation import symbol
+from ...notation import components
 from ..decision import Decision
 
-K = tuple(map(symbol, ("k1", "k2", "k3")))
+K = components("k")
 # three components rounded to doubles change |k|² by no more
 ROUNDED = Rational(1, 2**51)
 
@@ -89,9 +89,7 @@ def gradient_note(scene: System, numbers: Mapping[Symbol, Expr]) -> str:
     if scene.potential is None or not scene.potential.given or scene.coupled:
         return ""
     form = _form(scene.potential.expression)
-    if form is None:
-        return ""
-    if isinstance(scene.body.inertia, ImmutableMatrix):
+    if form is None or isinstance(scene.body.inertia, ImmutableMatrix):
         return ""
     others, first, second = form
     expressions = (*others, first, second, *scene.body.moments)

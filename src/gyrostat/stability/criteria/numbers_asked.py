@@ -106,11 +106,8 @@ def unknown(name: str, known: Sequence[str], where: str) -> str:
         else get_close_matches(name, [*known, *(other[n] for n in known if n in other)], 1)
     )
     hint = f"did you mean {close[0]}? Its" if close else "its"
-    spin = (
-        ' (with spin="omega3_0" in place of pi3_0)'
-        if "omega3_0" in (name, *close) and "omega3_0" not in known
-        else ""
-    )
+    by_rate = "omega3_0" in (name, *close) and "omega3_0" not in known
+    spin = ' (with spin="omega3_0" in place of pi3_0)' if by_rate else ""
     return f"{where} has no parameter {brief(name)[1:-1]}: {hint} parameters are {', '.join(known)}{spin}"
 
 
@@ -126,29 +123,20 @@ def _exists(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> str:
                      "has to be positive")
         elif sign != 1:
             here = "is not defined" if value is S.NaN else "is 0" if sign == 0 else f"is {shown(value)}"
-            todo = (
-                f"k3 = {shown(numbers[K3])}, give −1 < k3 < 1"
-                if expression == 1 - K3**2 and K3 in numbers
-                else "choose a point inside"
-            )
+            todo = "choose a point inside"
+            if expression == 1 - K3**2 and K3 in numbers:
+                todo = f"k3 = {shown(numbers[K3])}, give −1 < k3 < 1"
             raise ValuesError(f"{eq.label} exists only where {expression} > 0, here it {here}: {todo}")
     for expression in eq.field_values:
-        # finite and real wherever it is
-        polynomial = (fraction := compiled(expression)) is not None and fraction[2] is None
-        if (
-            not polynomial
-            and expression.free_symbols <= numbers.keys()
-            and not _may_be_real(value := evaluate(expression, numbers))
-        ):
+        if (fraction := compiled(expression)) is not None and fraction[2] is None:
+            continue                                       # a polynomial: finite and real wherever it is
+        if not expression.free_symbols <= numbers.keys():
+            continue
+        value = evaluate(expression, numbers)
+        if value.is_finite is False or value.is_real is False or value is S.NaN:
             raise ValuesError(f"U or one of its derivatives, {expression}, is {shown(value)} there, not a "
-                              "finite real number: "
-                              "choose another point")
+                              "finite real number: choose another point")
     return doubt
-
-
-def _may_be_real(constant: Expr) -> bool:
-    """Whether a constant may be a finite real number: False where SymPy knows that it is none."""
-    return bool(constant.is_finite is not False and constant.is_real is not False and constant is not S.NaN)
 
 
 def _on_family(eq: Equilibrium, numbers: Point) -> str:
@@ -192,7 +180,7 @@ def _unit_vector(eq: Equilibrium, numbers: Point) -> str:
 def _satisfied(eq: Equilibrium, name: Symbol, numbers: Mapping[Symbol, Expr]) -> str:
     """The relation that expresses a name whose value is given: what is not proved of it."""
     needed = eq.insert(dict(eq.relations)[name])
-    if missing := [n for n in names_in([needed]) if symbol(n) not in numbers]:
+    if missing := left_open(names_in([needed]), numbers):
         raise ValuesError(f"to check {name} on {eq.label}, {', '.join(missing)} is needed: give it, or "
                           f"omit {name}")
     value = evaluate(needed, numbers)
@@ -234,6 +222,11 @@ def names_of_motion(eq: Equilibrium) -> tuple[str, ...]:
 def names_in(expressions: Iterable[Expr]) -> tuple[str, ...]:
     """Names of all symbols, sorted."""
     return tuple(sorted({s.name for e in expressions for s in e.free_symbols}))
+
+
+def left_open(names: Iterable[str], numbers: Mapping[Symbol, Expr]) -> list[str]:
+    """The names that have no number."""
+    return [name for name in names if symbol(name) not in numbers]
 
 
 def _described(name: str) -> str:

@@ -1,8 +1,7 @@
 """A body at rest in the frame of two directions: the stiffness K of its orientation, and the gyroscopic g."""
-from collections.abc import Sequence
 from typing import NamedTuple
 
-from sympy import Expr, ImmutableMatrix, S, zeros
+from sympy import Expr, ImmutableMatrix, zeros
 
 from ...algebra.rings.polynomials import lowest_terms
 from ...mechanics.equilibrium.derived_once import once
@@ -65,8 +64,8 @@ def orientation_form(eq: Equilibrium) -> OrientationForm:
     for i in range(0, len(eq.point) - 3, 3):
         N += ImmutableMatrix([row[i:i + 3] for row in turns]) * hat(eq.point[3 + i:6 + i])
     G = N - N.T - hat([eq.at_point(entry) for entry in m])
-    return OrientationForm(stiffness_with(eq, beta), (_short(G[2, 1]), _short(G[0, 2]), _short(G[1, 0])),
-                           body.tensor)
+    g1, g2, g3 = map(lowest_terms, (G[2, 1], G[0, 2], G[1, 0]))
+    return OrientationForm(stiffness_with(eq, beta), (g1, g2, g3), body.tensor)
 
 
 def stiffness_with(eq: Equilibrium, beta: ImmutableMatrix) -> ImmutableMatrix:
@@ -84,16 +83,6 @@ def stiffness_with(eq: Equilibrium, beta: ImmutableMatrix) -> ImmutableMatrix:
         for j, b in enumerate(vectors):
             block = ImmutableMatrix([row[3 * j:3 * j + 3] for row in bends[3 * i:3 * i + 3]])
             K += hat(a).T * block * hat(b)
-    return _symmetric(K)
-
-
-def _symmetric(K: ImmutableMatrix) -> ImmutableMatrix:
-    """K, symmetric at an equilibrium."""
-    half: Sequence[Sequence[Expr]] = [[_short(K[i, j]) for j in range(i + 1)] for i in range(3)]
-    return ImmutableMatrix(3, 3, lambda i, j: half[max(i, j)][min(i, j)])
-
-
-def _short(entry: Expr) -> Expr:
-    return lowest_terms(entry) if entry else S.Zero
-
-
+    # symmetric at an equilibrium
+    half = {(i, j): lowest_terms(K[i, j]) for i in range(3) for j in range(i + 1)}
+    return ImmutableMatrix(3, 3, lambda i, j: half[max(i, j), min(i, j)])

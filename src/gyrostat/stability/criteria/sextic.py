@@ -1,6 +1,5 @@
 """The criterion of a polynomial in λ² of any degree up to three, factor by factor."""
 from collections.abc import Sequence
-from typing import Any
 
 from flint import fmpq_mpoly
 from sympy import Expr
@@ -35,22 +34,23 @@ def items_of_factors(factors: Sequence[tuple[Expr, ...]], signs: Signs) -> list[
     items: list[Item] = []
     for first, *others in dict.fromkeys(factors):
         bottom = signs.ring.numerator(first)
-        monic = [(signs.ring.numerator(c), bottom) for c in others]
-        items += _items(monic, signs)
+        items += items_of_monic([(signs.ring.numerator(c), bottom) for c in others], signs)
     return items
 
 
-def _items(monic: list[Fraction], signs: Signs) -> list[Item]:
-    """x + q; x² + p x + q; x³ + a x² + b x + c, of which all roots are real iff Δ ≥ 0."""
+def items_of_monic(monic: list[Fraction], signs: Signs) -> list[Item]:
+    """x + q; x² + p x + q; x³ + a x² + b x + c over one denominator, its roots real iff Δ ≥ 0."""
     names = {1: "q", 2: "pq", 3: "abc"}[len(monic)]
     items = [Item(*signs.split(*c), False, name) for c, name in zip(monic, names)]
-    bottom = monic[0][1]
     if len(monic) == 2:
-        (p, _), (q, _) = monic
-        items.append(Item(*signs.split(p**2 - 4 * q * bottom, bottom**2), False, "p² − 4q"))
+        (p, a), (q, b) = monic
+        factors = items[0].margin, *items[0].degenerate
+        # q = 0: the discriminant is p²
+        square = signs.ring.one, tuple(e for e in factors if not e.is_constant())
+        discriminant = signs.split(p**2 * b - 4 * q * a**2, a**2 * b) if items[1].margin else square
+        items.append(Item(*discriminant, False, "p² − 4q"))
     if len(monic) == 3:
-        (a, _), (b, _), (c, _) = monic
-        D: Any = (a**2 * b**2 - 4 * b**3 * bottom - 4 * a**3 * c + 18 * a * b * c * bottom
-                  - 27 * c**2 * bottom**2)
-        items.append(Item(*signs.split(D, bottom**4), False, "Δ"))
+        (a, d), (b, _), (c, _) = monic
+        D = a**2 * b**2 - 4 * b**3 * d - 4 * a**3 * c + 18 * a * b * c * d - 27 * c**2 * d**2
+        items.append(Item(*signs.split(D, d**4), False, "Δ"))
     return items

@@ -16,6 +16,7 @@ from .energy_casimir import SecondVariation, augmented_hessian, blocks
 from .implication import Item, eliminate, merge, reduced
 from .linearization import Linearization
 from .orientation_form import orientation_form, rests_in_frame
+from .sextic import factors_in_squares, items_of_factors, items_of_monic
 
 Minor = tuple[str, int, Expr]                              # its name, its order, what it is
 
@@ -56,28 +57,12 @@ def spectral_criterion(linearization: Linearization) -> Criterion:
     """
     eq = linearization.equilibrium
     if len(linearization.coefficients) == 3:
-        return _of_sextic(linearization)
-    values = linearization.frequency_coefficients
-    signs = signs_over(eq, values)
-    ring = signs.ring
-    fractions = [ring.fraction(value) for value in values]
-    items = [Item(*signs.split(*fraction), False, name)
-             for fraction, name in zip(fractions, "q" if len(values) == 1 else "pq")]
-    if len(values) == 2:
-        (p, a), (q, b) = fractions
-        factors = items[0].margin, *items[0].degenerate
-        # q = 0: the discriminant is p²
-        square = ring.one, tuple(e for e in factors if not e.is_constant())
-        discriminant = signs.split(p**2 * b - 4 * q * a**2, a**2 * b) if items[1].margin else square
-        items.append(Item(*discriminant, False, "p² − 4q"))
-    return Criterion(Notion.SPECTRAL, (tuple(condition_of(ring, item, eq) for item in items),))
-
-
-def _of_sextic(linearization: Linearization) -> Criterion:
-    eq = linearization.equilibrium
-    factors = loaded("stability.criteria.sextic:factors_in_squares")(linearization.coefficients)
-    signs = signs_over(eq, [c for factor in factors for c in factor])
-    items = loaded("stability.criteria.sextic:items_of_factors")(factors, signs)
+        factors = factors_in_squares(linearization.coefficients)
+        signs = signs_over(eq, [c for factor in factors for c in factor])
+        items = items_of_factors(factors, signs)
+    else:
+        signs = signs_over(eq, values := linearization.frequency_coefficients)
+        items = items_of_monic([signs.ring.fraction(value) for value in values], signs)
     return Criterion(Notion.SPECTRAL, (tuple(condition_of(signs.ring, item, eq) for item in items),))
 
 
@@ -200,11 +185,13 @@ def stiffness(variation: SecondVariation) -> Matrix | None:
 def of_stiffness(variation: SecondVariation) -> list[Minor]:
     """The leading principal minors of each block of K."""
     K = stiffness(variation)
-    if K is None:
-        return []
-    rows = K.tolist()
-    return [(f"minor {n} of K", n, Matrix([[rows[i][j] for j in block[:n]] for i in block[:n]]).det(
-        method="berkowitz")) for block in blocks(rows) for n in range(1, len(block) + 1)]
+    return [] if K is None else minors_of_stiffness(K)
+
+
+def minors_of_stiffness(K: Matrix) -> list[Minor]:
+    """The leading principal minors of each block of K, or of a part of it."""
+    return [(f"minor {n} of K", n, K.extract(block[:n], block[:n]).det(method="berkowitz"))
+            for block in blocks(K.tolist()) for n in range(1, len(block) + 1)]
 
 
 def _on_sphere(variation: SecondVariation) -> tuple[Expr, ...]:

@@ -70,15 +70,17 @@ def holds(criterion: Criterion, numbers: Mapping[Symbol, Expr], margins: dict[Ex
             sign = sign_of_constant(evaluate(expression, numbers))
         return None if sign is None else bool(relation(sign, 0))
 
-    return truth(criterion, compare, _every, _some)
+    return truth(criterion, compare, every_proved, some_proved)
 
 
-def _every(answers: Iterable[bool | None]) -> bool | None:
+def every_proved(answers: Iterable[bool | None]) -> bool | None:
+    """Whether all hold; None where that is not proved."""
     given = list(answers)
     return False if False in given else None if None in given else True
 
 
-def _some(answers: Iterable[bool | None]) -> bool | None:
+def some_proved(answers: Iterable[bool | None]) -> bool | None:
+    """Whether one holds; None where that is not proved."""
     given = list(answers)
     return True if True in given else None if None in given else False
 

@@ -4,14 +4,12 @@ from typing import Any
 from sympy import Add, S
 
 from ...algebra.reals.exact import proved_sign
-from ...algebra.solving.margins import Signs
 from ...algebra.text.numbers import exact_expression
 from ...arguments import checked
 from ...errors import ScopeError, ValuesError
 from ...mechanics.equilibrium.equilibrium import Equilibrium
 from ...mechanics.scenes.rotors import Rotor
-from ..criteria.conditions import Criterion, condition_of
-from ..criteria.implication import Item, reduced
+from ..criteria.conditions import Criterion, all_positive
 from ..notion import Notion
 from ..theorems.momentum_sphere import sphere_of
 
@@ -87,7 +85,4 @@ def energy_sink_criterion(eq: Equilibrium, rotor: Rotor, *, platform_damping: An
     margin = eq.insert(momentum * Add(*(c * (momentum - transverse * x)
                                         for c, x in zip(damping, (rate, turning)))))
     positive = (x for x in (*damping, rotor.axial) if x.free_symbols)
-    signs = Signs.over([margin], (*eq.domain, *positive))
-    items = reduced([Item(*signs.margin(margin), True, "energy sink")], signs)
-    return Criterion(Notion.ENERGY_SINK, () if items is None else (
-        tuple(condition_of(signs.ring, item, eq) for item in items),))
+    return all_positive(Notion.ENERGY_SINK, [("energy sink", margin)], eq, (*eq.domain, *positive))

@@ -4,28 +4,27 @@ Fuel that sloshes, a nutation damper, joints that give: they take energy, keep t
 that turns like a rigid one alone. What is stable then is a minimum of the energy on the orbit.
 """
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from functools import cache
 from itertools import chain
 
-from sympy import Add, Expr, S, Symbol
+from sympy import Add, Expr, Mul, S, Symbol
 
 from ..._cached import cached_property
 from ..._lazy import loaded
-from ...algebra.reals.exact import Point, evaluate, sign_of_constant
+from ...algebra.reals.exact import Point, sign, sign_changes
 from ...algebra.rings.matrices import characteristic, cross
 from ...algebra.rings.polynomials import lowest_terms
-from ...algebra.solving.margins import Signs
 from ...mechanics.equilibrium.derivation_ring import signs_over
 from ...mechanics.equilibrium.derived_once import once
 from ...mechanics.equilibrium.equilibrium import Equilibrium
 from ...mechanics.equilibrium.standard_axes import seen, seen_at
-from ...notation import symbol
-from ..criteria.conditions import Condition, Criterion, independent
-from ..criteria.energy_casimir import SecondVariation, secular_variation
-from ..criteria.numbers_asked import names_in, names_needed, names_of_motion
-from ..criteria.three_criteria import across, of_stiffness, positive, secular_criterion
-from ..criteria.truth import holds, sign_at
+from ..criteria.conditions import Criterion, independent
+from ..criteria.energy_casimir import SecondVariation, blocks, secular_variation
+from ..criteria.numbers_asked import left_open, names_in, names_needed, names_of_motion
+from ..criteria.three_criteria import across, secular_criterion, stiffness
+from ..criteria.truth import holds
 from ..decision import Decision, Rung, settled, undecided
 from ..notion import Notion
 
@@ -87,11 +86,10 @@ class Secular:
         degenerate, or the body is at rest and free to spin; where one of each of the others does, the damping
         does not reach every motion of k. In normal form, () for what vanishes nowhere.
         """
-        singular = self._coefficients[-1] if self._coefficients else S.One
+        singular = Mul(*(block[-1] ** times for block, times in self._coefficients.items()))
         values = (singular * self._rest if self.variation.modulo else singular, *self._torques)
         signs = signs_over(self.equilibrium, values)
-        found = [signs.split(*signs.ring.fraction(value)) for value in values]
-        groups = [[signs.ring.expression(x) for x in (margin, *even)] for margin, even in found]
+        groups = [(margin, *even) for margin, even in map(signs.normal_form, values)]
         degenerate, *torques = (tuple(e for e in group if e == 0 or e.free_symbols) for group in groups)
         return degenerate, *dict.fromkeys(torques)
 
@@ -114,8 +112,8 @@ class Secular:
             found, modulo = self._decided(numbers, margins), self.criterion.modulo
             return replace(found, modulo=modulo) if modulo else found
         standard = secular_of(known.equilibrium)
-        if missing := _missing(standard.compared, numbers):
-            return undecided(known.worded(f"give {missing} to decide"))
+        if missing := left_open(standard.compared, numbers):
+            return undecided(known.worded(f"give {', '.join(missing)} to decide"))
         found = standard._decided(numbers, margins)
         return replace(found, reason=known.worded(found.reason), modulo=known.modulo)
 
@@ -125,64 +123,39 @@ class Secular:
             return KEEPS
         if least is None:
             return undecided(NO_SIGN)
-        if missing := _missing(self._counted_by, numbers):
-            return undecided(f"give {missing} to decide")
-        negative = self._by_minors(numbers, margins)
-        if negative is None:
-            signs = [sign_of_constant(evaluate(c, numbers)) for c in self._coefficients]
-            if None in signs:
-                return undecided(NO_SIGN)
-            negative = _changes(signs) if all(signs[-1:]) else None
+        if missing := left_open(self.counted_by, numbers):
+            return undecided(f"give {', '.join(missing)} to decide")
+        counted = [([sign(c, numbers) for c in block], times)
+                   for block, times in self._coefficients.items()]
+        if any(None in signs for signs, _ in counted):
+            return undecided(NO_SIGN)
+        regular = all(signs[-1] for signs, _ in counted)
+        negative = sum(times * sign_changes(signs) for signs, times in counted) if regular else None
         reached = not self._exceptional(numbers)
         if negative and reached:
             return lost(negative)
-        if missing := _missing(self.required, numbers):
-            return undecided(f"give {missing} to decide")
+        if missing := left_open(self.required, numbers):
+            return undecided(f"give {', '.join(missing)} to decide")
         if (found := loaded("stability.damping.growing_modes:growing_at")(self.equilibrium, numbers)).grows:
             return lost(found.modes)
         return undecided(OUT_OF_REACH) if negative else self._degenerate(numbers, reached)
 
     @cached_property
-    def _counted_by(self) -> tuple[str, ...]:
+    def counted_by(self) -> tuple[str, ...]:
         """Names in what counts the negative squares, and in what tells whether the damping reaches all."""
-        minors = [e for block in self._minors for c in block for e in (c.margin, *c.degenerate)]
-        return names_in([*minors, *self._coefficients, *chain(*self.exceptions)])
-
-    def _by_minors(self, numbers: Mapping[Symbol, Expr], margins: dict[Expr, Expr]) -> int | None:
-        """The negative squares of the second variation; None where a minor vanishes, or is not decided."""
-        known = dict(margins)
-        blocks = [(times, [sign_at(minor, numbers, known) for minor in block])
-                  for block, times in self._minors.items()]
-        if all(all(signs) for _, signs in blocks):
-            return sum(times * _changes(signs) for times, signs in blocks)
-        return None
+        return names_in(chain(*self._coefficients, *self.exceptions))
 
     @cached_property
-    def _minors(self) -> Counter[tuple[Condition, ...]]:
-        """The leading minors of each block, from the first that may be negative on, and how often it occurs;
-        where none vanishes, their changes of sign are the negative squares (Jacobi). Across k trace and
-        determinant, whose changes are too.
+    def _coefficients(self) -> Counter[tuple[Expr, ...]]:
+        """Of the characteristic polynomial of each block of the second variation, or of its part across k or
+        of K, for −λ, and how often it occurs.
         """
-        eq = self.equilibrium
-        found = [(n, minor) for _, n, minor in across(self.variation) or of_stiffness(self.variation)
-                 ] or self.variation.block_minors
-        minors = [(n, eq.insert(minor)) for n, minor in found]
-        signs = Signs.over([minor for _, minor in minors], (*eq.existence(), *map(eq.insert, positive(eq))))
-        blocks: list[list[Condition]] = []
-        for n, minor in minors:
-            margin, even = signs.normal_form(minor)
-            blocks += [[]] if n == 1 else []
-            if blocks[-1] or margin != 1 or even:
-                blocks[-1].append(Condition(margin, True, f"minor {n}", even, eq.at))
-        return Counter(map(tuple, blocks))
-
-    @cached_property
-    def _coefficients(self) -> tuple[Expr, ...]:
-        """Of the characteristic polynomial of the second variation, or of its part across k, for −λ."""
-        eq, matrix = self.equilibrium, self.variation.matrix
+        eq, K = self.equilibrium, stiffness(self.variation)
         if found := across(self.variation):
-            return tuple(eq.insert(x) for _, _, x in found)
-        return characteristic([[eq.insert(entry) for entry in row] for row in matrix.tolist()])
+            return Counter([tuple(eq.insert(x) for _, _, x in found)])
+        matrix = self.variation.matrix if K is None else K
+        rows = [[eq.insert(entry) for entry in row] for row in matrix.tolist()]
+        return Counter(characteristic([[rows[i][j] for j in block] for i in block]) for block in blocks(rows))
 
     @cached_property
     def _torques(self) -> tuple[Expr, ...]:
@@ -209,9 +182,9 @@ class Secular:
         it is at rest and may turn along a symmetry, at a rate that is constant to first order.
         """
         _, *torques = self.exceptions
-        if all(any(sign_of_constant(evaluate(e, numbers)) == 0 for e in torque) for torque in torques):
+        if all(any(sign(e, numbers) == 0 for e in torque) for torque in torques):
             return True
-        return bool(self.variation.modulo) and sign_of_constant(evaluate(self._rest, numbers)) == 0
+        return bool(self.variation.modulo) and sign(self._rest, numbers) == 0
 
     @property
     def _rest(self) -> Expr:
@@ -227,22 +200,10 @@ class Secular:
                 else settled(False, f"{LOST}: {why}", Rung.LEADING_FORM, Notion.SECULAR))
 
 
-@once
-def secular_of(eq: Equilibrium) -> Secular:
-    """What internal damping makes of an equilibrium, derived once."""
-    return Secular(eq)
+secular_of = once(Secular)                                 # derived once for each equilibrium
 
 
-def _missing(names: Sequence[str], numbers: Mapping[Symbol, Expr]) -> str:
-    return ", ".join(name for name in names if symbol(name) not in numbers)
-
-
-def _changes(signs: Sequence[int | None]) -> int:
-    """Changes of sign from 1 on: in the coefficients, the number of negative roots if all are real."""
-    left = [1, *filter(None, signs)]
-    return sum(a != b for a, b in zip(left, left[1:]))
-
-
+@cache
 def lost(growing: int | None) -> Decision:
     """The decision that damping destroys what is not least, with the number of modes that grow if counted."""
     how_many = "" if growing is None else f", {growing} growing mode{'' if growing == 1 else 's'}"

@@ -5,14 +5,12 @@ from dataclasses import replace
 from sympy import Expr, ImmutableMatrix, S, Symbol
 
 from ..._cached import cached_property
-from ...algebra.rings.matrices import characteristic
 from ...algebra.rings.polynomials import lowest_terms
 from ...mechanics.equilibrium.equilibrium import Equilibrium
 from ...mechanics.families.circular_orbit import orbital_rate
 from ...mechanics.scenes.kind import Kind
 from ...mechanics.scenes.lie_poisson import hat
 from ..criteria.orientation_form import orientation_form, rests_in_frame
-from ..criteria.three_criteria import stiffness
 from ..decision import Decision, undecided
 from ..notion import Notion
 from ..theorems.two_directions import on_curve
@@ -33,12 +31,6 @@ class SecularInFrame(Secular):
     ----------
     As Secular; the exceptions: Derived.
     """
-
-    @cached_property
-    def _coefficients(self) -> tuple[Expr, ...]:
-        matrix = stiffness(self.variation)
-        rows = (self.variation.matrix if matrix is None else matrix).tolist()
-        return characteristic([[self.equilibrium.insert(entry) for entry in row] for row in rows])
 
     @cached_property
     def _torques(self) -> tuple[Expr, ...]:

@@ -52,7 +52,7 @@ class Modes:
         """Of numbers in balls, with ω_j of the sign that makes the action −i N_j z_j w_j positive."""
         found = [(-value, conjugate(vector), -norm) if norm.imag < 0 else (value, vector, norm)
                  for value, vector, norm in zip(self.values, self.vectors, self.norms)]
-        return _pair(*found)
+        return Modes(*zip(*found))
 
 
 def linear_motion(quadratic: Part) -> Rows:
@@ -75,11 +75,7 @@ def modes(A: Rows, p: Any, values: tuple[Any, Any]) -> Modes:
     """
     square = multiplied(A, A)
     cube = multiplied(square, A)
-    return _pair(*(_mode(A, square, cube, p, value) for value in values))
-
-
-def _pair(first: Mode, second: Mode) -> Modes:
-    return Modes((first[0], second[0]), (first[1], second[1]), (first[2], second[2]))
+    return Modes(*zip(*(_mode(A, square, cube, p, value) for value in values)))
 
 
 def _mode(A: Rows, square: Rows, cube: Rows, p: Any, value: Any) -> Mode:
@@ -116,10 +112,10 @@ def normalised(parts: Sequence[Part], found: Modes, kept: Collection[int] = ()) 
     divisors: dict[tuple[int, int], Any] = {}
     for order in range(3, degree):
         gone = {code: c for code, c in h[order].items()
-                if not (code in kept or _rate(code) == (0, 0) or is_zero(c))}
-        for rate in {_rate(code) for code in gone} - divisors.keys():
-            divisors[rate] = 1 / (found.values[0] * rate[0] + found.values[1] * rate[1])
-        W = {code: c * divisors[_rate(code)] for code, c in gone.items()}
+                if not (code in kept or rate(code) == (0, 0) or is_zero(c))}
+        for turns in {rate(code) for code in gone} - divisors.keys():
+            divisors[turns] = 1 / (found.values[0] * turns[0] + found.values[1] * turns[1])
+        W = {code: c * divisors[rate(code)] for code, c in gone.items()}
         # ad W once, twice, …, of h2 and of every other part
         chains = [(order, 1, {code: -c for code, c in gone.items()}),
                   *((n, 0, part) for n, part in enumerate(h) if n > 2)]
@@ -153,7 +149,7 @@ def twist(part: Part, found: Modes) -> Any:
     first, second = (found.values[1] / found.norms[0], -1 * found.values[0] / found.norms[1])
     total = 0
     for code, c in part.items():
-        if not any(_rate(code)):
+        if not any(rate(code)):
             total = c * first ** (code & 15) * second ** (code >> 8 & 15) + total
     return total
 
@@ -187,6 +183,59 @@ def not_zero(x: Any) -> bool:
     return not (x.contains(0) if isinstance(x, acb) else is_zero(x))
 
 
-def _rate(code: int) -> tuple[int, int]:
+def rate(code: int) -> tuple[int, int]:
     """How often λ1 and λ2 are in the rate of a monomial."""
     return (code & 15) - (code >> 4 & 15), (code >> 8 & 15) - (code >> 12)
+
+
+def colliding(A: Rows, p: Any, value: Any, parts: list[Part]) -> Any:
+    """The sign of ε𝒜 is that of this number; None where no eigenvector is proved not to be 0.
+
+    v = adj(λ − A)e and u = adj'(λ)e with (A − λ)u = v; {Y_i, Y_j} is −Ω⁻¹, Ω_ij = v_iᵀ 𝕁 v_j; h3 is removed
+    by W with (λΔ + N) W = h3, N nilpotent.
+    """
+    square = multiplied(A, A)
+    cube = multiplied(square, A)
+    rest = value * value + p
+    for column in range(4):
+        v = [cube[i][column] + square[i][column] * value + A[i][column] * rest for i in range(4)]
+        v[column] += value * rest
+        u = [square[i][column] + A[i][column] * value * 2 for i in range(4)]
+        u[column] += value * value * 3 + p
+        if not_zero(symplectic(conjugate(v), u)):
+            break
+    else:
+        return None
+    # in the order z, w, z', w' of v, v̄, u, ū
+    g, h = symplectic(v, conjugate(u)), symplectic(u, conjugate(v))
+    b = symplectic(u, conjugate(u))
+    pairs = [(0, 1, -b / (g * h)), (0, 3, 1 / g), (2, 1, 1 / h)]
+    forms = in_columns([v, conjugate(v), u, conjugate(u)])
+    target = 2 * (ONES[0] + ONES[1])
+    cubic = substituted(parts[3], forms)
+    W: Part = {}
+    term = cubic
+    for _ in range(4):
+        term = {code: c / (value * sum(rate(code))) for code, c in term.items()}
+        added(W, term)
+        term = {code: -1 * c for code, c in _nilpotent(term).items()}
+    found = substituted(parts[4], forms, {target}).get(target, 0)
+    found = bracket(cubic, W, pairs, {target}).get(target, 0) * fmpq(1, 2) + found
+    return real(found) * real(symplectic(conjugate(u), v)) * -1
+
+
+def _nilpotent(part: Part) -> Part:
+    """z' ∂/∂z + w' ∂/∂w."""
+    found: Part = {}
+    for code, c in part.items():
+        for n in (0, 1):
+            if times := code >> 4 * n & 15:
+                added(found, {code - ONES[n] + ONES[n + 2]: c * times})
+    return found
+
+
+def real(x: Any) -> Any:
+    """The real number that an element of the field, a complex ball or a number is."""
+    if isinstance(x, Element):
+        return x.rational()
+    return x.real if isinstance(x, acb) else x

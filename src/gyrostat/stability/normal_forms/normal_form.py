@@ -9,7 +9,7 @@ from sympy import Expr, Float, Rational, S, Symbol, expand, sqrt
 from ..._display import Shown
 from ...algebra.enclosures.precision import own_precision
 from ...algebra.reals.eigenvalues import eigenvalues_of, in_ratio
-from ...algebra.reals.exact import evaluate, sign_of_constant
+from ...algebra.reals.exact import evaluate, sign
 from ...algebra.rings.series import Part, is_zero
 from ...errors import ScopeError, ValuesError
 from ...mechanics.equilibrium.equilibrium import Equilibrium
@@ -71,7 +71,7 @@ def normal_form(eq: Equilibrium, numbers: Mapping[Symbol, Expr], degree: int) ->
         raise ScopeError(f"{eq.label} has no normal form: {ROUGH}")
     _oscillates(eq, motion)
     resonant = tuple(pair for pair in resonances_up_to(degree)
-                     if _sign(resonance_margin(motion.p, motion.q, *pair)) == 0)
+                     if sign(resonance_margin(motion.p, motion.q, *pair), {}) == 0)
     frequencies = _frequencies(motion)
     try:
         form = (_exact(motion, degree, frequencies, (1, 3) in resonant) if motion.rational
@@ -86,14 +86,10 @@ def normal_form(eq: Equilibrium, numbers: Mapping[Symbol, Expr], degree: int) ->
 def _oscillates(eq: Equilibrium, motion: LocalMotion) -> None:
     """Refuse an equilibrium that is unstable, degenerate, or of equal frequencies."""
     for name, value in (("q", motion.q), ("p", motion.p), ("p² − 4q", motion.p**2 - 4 * motion.q)):
-        if (sign := _sign(value)) != 1:
-            what = {0: "degenerate", -1: "unstable", None: "not proved to oscillate"}[sign]
+        if (found := sign(value, {})) != 1:
+            what = {0: "degenerate", -1: "unstable", None: "not proved to oscillate"}[found]
             raise ScopeError(f"{eq.label} is {what} there, {name} of λ⁴ + p λ² + q is "
                              f"{evaluate(value, {}).evalf(6)}: a normal form is for p, q, p² − 4q > 0")
-
-
-def _sign(value: Expr) -> int | None:
-    return sign_of_constant(evaluate(value, {}))
 
 
 def _frequencies(motion: LocalMotion) -> Frequencies:

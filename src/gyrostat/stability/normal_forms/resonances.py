@@ -7,33 +7,14 @@ from flint import acb, arb, fmpq
 
 from ...algebra.enclosures.balls import ball
 from ...algebra.enclosures.precision import own_precision
-from ...algebra.reals.eigenvalues import Element, in_ratio
-from ...algebra.rings.series import Part, added, is_zero, substituted
+from ...algebra.reals.eigenvalues import in_ratio
+from ...algebra.rings.series import is_zero, substituted
 from ..decision import C1, Decision, Rung, settled, undecided
 from ..notion import Notion
-from .birkhoff import (
-    ONES,
-    W1,
-    W2,
-    Z1,
-    Z2,
-    Rows,
-    bracket,
-    conjugate,
-    in_columns,
-    linear_motion,
-    modes,
-    multiplied,
-    normalised,
-    not_zero,
-    symplectic,
-    twist,
-)
+from .birkhoff import W1, W2, Z1, Z2, colliding, linear_motion, modes, normalised, not_zero, real, twist
 from .local_motion import LocalMotion, Number, fraction
 
 PRECISIONS = (128, 512, 2048)                              # bits, one after the other
-
-
 NOTION = Notion.ARNOLD_MOSER
 OPEN = "what decides it is not proved to differ from 0"
 
@@ -47,7 +28,7 @@ def second_order_resonance(motion: LocalMotion) -> Decision:
     said = "the frequencies are equal (1:1, Hamiltonian-Hopf)"
     for number, value in _rings(motion, fmpq(2), 1):
         parts = motion.energy(4, number)
-        product = _colliding(linear_motion(parts[2]), number(motion.p), value[0], parts)
+        product = colliding(linear_motion(parts[2]), number(motion.p), value[0], parts)
         if product is None:
             continue                                       # in balls the next precision may prove one
         if sign := sign_of(product):
@@ -105,6 +86,9 @@ def fourth_order_resonance(motion: LocalMotion) -> Decision:
     return undecided(f"{said}, and {OPEN}")
 
 
+LOWEST = {(1, 1): second_order_resonance, (1, 2): third_order_resonance, (1, 3): fourth_order_resonance}
+
+
 def _settled(stable: bool, why: str) -> Decision:
     """Stable on its level of C1, where alone the resonance holds; or unstable."""
     if stable:
@@ -121,63 +105,6 @@ def _rings(motion: LocalMotion, parts: fmpq, ratio: int) -> Iterator[tuple[Numbe
         with own_precision(precision):
             omega = (ball(motion.p, precision) / arb(parts)).sqrt()
             yield partial(ball, precision=precision), (acb(0, ratio * omega), acb(0, omega))
-
-
-def _colliding(A: Rows, p: Any, value: Any, parts: list[Part]) -> Any:
-    """The sign of ε𝒜 is that of this number; None where no eigenvector is proved not to be 0.
-
-    v = adj(λ − A)e and u = adj'(λ)e with (A − λ)u = v; {Y_i, Y_j} is −Ω⁻¹, Ω_ij = v_iᵀ 𝕁 v_j; h3 is removed
-    by W with (λΔ + N) W = h3, N nilpotent.
-    """
-    square = multiplied(A, A)
-    cube = multiplied(square, A)
-    rest = value * value + p
-    for column in range(4):
-        v = [cube[i][column] + square[i][column] * value + A[i][column] * rest for i in range(4)]
-        v[column] += value * rest
-        u = [square[i][column] + A[i][column] * value * 2 for i in range(4)]
-        u[column] += value * value * 3 + p
-        if not_zero(symplectic(conjugate(v), u)):
-            break
-    else:
-        return None
-    # in the order z, w, z', w' of v, v̄, u, ū
-    g, h = symplectic(v, conjugate(u)), symplectic(u, conjugate(v))
-    b = symplectic(u, conjugate(u))
-    pairs = [(0, 1, -b / (g * h)), (0, 3, 1 / g), (2, 1, 1 / h)]
-    forms = in_columns([v, conjugate(v), u, conjugate(u)])
-    target = 2 * (ONES[0] + ONES[1])
-    cubic = substituted(parts[3], forms)
-    W: Part = {}
-    term = cubic
-    for _ in range(4):
-        term = {code: c / (value * _turns(code)) for code, c in term.items()}
-        added(W, term)
-        term = {code: -1 * c for code, c in _nilpotent(term).items()}
-    found = substituted(parts[4], forms, {target}).get(target, 0)
-    found = bracket(cubic, W, pairs, {target}).get(target, 0) * fmpq(1, 2) + found
-    return real(found) * real(symplectic(conjugate(u), v)) * -1
-
-
-def _turns(code: int) -> int:
-    return (code & 15) + (code >> 8 & 15) - (code >> 4 & 15) - (code >> 12)
-
-
-def _nilpotent(part: Part) -> Part:
-    """z' ∂/∂z + w' ∂/∂w."""
-    found: Part = {}
-    for code, c in part.items():
-        for n in (0, 1):
-            if times := code >> 4 * n & 15:
-                added(found, {code - ONES[n] + ONES[n + 2]: c * times})
-    return found
-
-
-def real(x: Any) -> Any:
-    """The real number that an element of the field, a complex ball or a number is."""
-    if isinstance(x, Element):
-        return x.rational()
-    return x.real if isinstance(x, acb) else x
 
 
 def sign_of(x: Any) -> int:

@@ -1,5 +1,4 @@
 """What decides where gyroscopic forces hold a maximum of the amended potential: Arnold's theorem."""
-from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import replace
 from math import gcd
@@ -10,25 +9,14 @@ from flint import fmpq
 from ...algebra.enclosures.precision import own_precision
 from ...algebra.reals.exact import evaluate, sign_of_constant
 from ..decision import Decision, Rung, settled, undecided
-from .birkhoff import Modes, normalised, twist
+from .birkhoff import Modes, normalised, real, twist
 from .d4_by_averages import averages
 from .local_motion import PRECISION, LocalMotion, fraction
-from .resonances import (
-    NOTION,
-    PRECISIONS,
-    decimals,
-    fourth_order_resonance,
-    real,
-    second_order_resonance,
-    sign_of,
-    third_order_resonance,
-)
+from .resonances import LOWEST, NOTION, PRECISIONS, decimals, sign_of
 
 ROUGH = "U has powers of 1 ∓ k3 there that are not whole, and normal forms ask for more derivatives"
 HELD = undecided("the amended potential has a maximum, held by gyroscopic forces: normal forms decide its "
                  "points")
-LOWEST: dict[tuple[int, int], Callable[[LocalMotion], Decision]] = {
-    (1, 1): second_order_resonance, (1, 2): third_order_resonance, (1, 3): fourth_order_resonance}
 
 
 def along_stretch(decision: Decision) -> Decision:

@@ -96,8 +96,7 @@ class Derived(Shown, Stored):
         eq = self.equilibrium
         if not eq.system.coupled:
             return secular_of(eq)
-        found: Secular = loaded("stability.damping.secular_two_directions:SecularInFrame")(eq)
-        return found
+        return loaded("stability.damping.secular_two_directions:SecularInFrame")(eq)
 
     @cached_property
     def boundary(self) -> "Boundary | None":
@@ -108,16 +107,14 @@ class Derived(Shown, Stored):
         eq = self.recognised.equilibrium if self.recognised else self.equilibrium
         if eq.system.kind is not Kind.REVOLUTION:
             return None
-        found: Boundary | None = loaded("stability.theorems.boundary:boundary_of")(eq)
-        return found
+        return loaded("stability.theorems.boundary:boundary_of")(eq)
 
     @property
     def between(self) -> Between | None:
         """What decides between the two criteria: the boundary, of a free body the momentum sphere."""
         if self.boundary or self.equilibrium.system.kind is not Kind.FREE:
             return self.boundary
-        found: Between | None = loaded("stability.theorems.momentum_sphere:sphere_of")(self.equilibrium)
-        return found
+        return loaded("stability.theorems.momentum_sphere:sphere_of")(self.equilibrium)
 
     @cached_property
     def recognised(self) -> Seen | None:
@@ -128,8 +125,7 @@ class Derived(Shown, Stored):
     def drift(self) -> "Drift":
         """What moves near a tilted equilibrium along its orbit under the spin."""
         eq = self.recognised.equilibrium if self.recognised else self.equilibrium
-        found: Drift = loaded("stability.theorems.drift:Drift")(eq)
-        return found
+        return loaded("stability.theorems.drift:Drift")(eq)
 
     @cached_property
     def open_between(self) -> bool:
@@ -186,7 +182,4 @@ class Derived(Shown, Stored):
         return names_accepted(self.equilibrium, self.compared)
 
 
-@once
-def kept_of(eq: Equilibrium) -> Derived:
-    """Of an equilibrium in the standard axes, derived once."""
-    return Derived(eq)
+kept_of = once(Derived)                                    # of an equilibrium in the standard axes

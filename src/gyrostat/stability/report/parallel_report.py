@@ -5,17 +5,17 @@ from sympy import Expr, ImmutableMatrix
 
 from ..._cached import cached_property
 from ...algebra.reals.exact import Point
-from ...algebra.solving.margins import Signs
 from ...mechanics.equilibrium.equilibrium import Equilibrium
-from ...mechanics.equilibrium.parallel_directions import parallel
+from ...mechanics.equilibrium.parallel_directions import parallel_directions
 from ...mechanics.equilibrium.relations import residual_of
 from ...mechanics.equilibrium.standard_axes import placed
 from ...mechanics.scenes.coupled import CoupledPotential
-from ..criteria.conditions import Criterion, condition_of, independent
-from ..criteria.energy_casimir import SecondVariation, blocks
-from ..criteria.implication import Item, reduced
+from ..criteria.conditions import Criterion, all_positive, independent
+from ..criteria.energy_casimir import SecondVariation
 from ..criteria.linearization import Linearization
+from ..criteria.numbers_asked import names_needed
 from ..criteria.orientation_form import stiffness_with
+from ..criteria.three_criteria import minors_of_stiffness
 from ..criteria.truth import holds
 from ..damping.secular import Secular
 from ..decision import Decision, Rung, settled, undecided
@@ -54,9 +54,7 @@ class ParallelReport(Report):
     @cached_property
     def along(self) -> Report:
         """Of the motions in which the directions stay parallel."""
-        found = parallel(self.equilibrium)
-        assert found is not None
-        return Report(found)
+        return Report(parallel_directions(self.equilibrium))
 
     @property
     def linearization(self) -> Linearization:
@@ -110,14 +108,17 @@ class ParallelSecular(Secular):
     @cached_property
     def along(self) -> Secular:
         """In the motions in which the directions stay parallel."""
-        found = parallel(self.equilibrium)
-        assert found is not None
-        return Report(found).secular
+        return Report(parallel_directions(self.equilibrium)).secular
 
     @property
     def variation(self) -> SecondVariation:
         """In the motions in which the directions stay parallel."""
         return self.along.variation
+
+    @cached_property
+    def compared(self) -> tuple[str, ...]:
+        """Names in both criteria, this and that of the motions in which the directions stay parallel."""
+        return names_needed(self.equilibrium, (self.criterion, self.along.criterion))
 
     @property
     def exceptions(self) -> tuple[tuple[Expr, ...], ...]:
@@ -174,14 +175,7 @@ def least_across(eq: Equilibrium, beta: ImmutableMatrix, notion: Notion) -> Crit
     K = stiffness_with(eq, beta)
     a = eq.point[3:6] if any(eq.point[3:6]) else eq.point[6:]
     across = [i for i in range(3) if a[i] == 0]
+    minors = [("t", K.trace()), ("s", K.adjugate().trace())]
     if len(across) == 2:
-        plane = K.extract(across, across)
-        minors = [(f"minor {n} of K", plane.extract(block[:n], block[:n]).det(method="berkowitz"))
-                  for block in blocks(plane.tolist()) for n in range(1, len(block) + 1)]
-    else:
-        minors = [("t", K.trace()), ("s", K.adjugate().trace())]
-    signs = Signs.over([minor for _, minor in minors], eq.domain)
-    items = [Item(*signs.split(*signs.ring.fraction(minor)), True, name) for name, minor in minors]
-    left = reduced(items, signs)
-    return Criterion(notion, () if left is None else (tuple(condition_of(signs.ring, item, eq)
-                                                               for item in left),))
+        minors = [(name, minor) for name, _, minor in minors_of_stiffness(K.extract(across, across))]
+    return all_positive(notion, minors, eq, eq.domain)

@@ -1,11 +1,12 @@
 """Report: the stability analysis of one equilibrium, and its verdicts at numbers."""
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from sympy import Expr
 
 from ..._lazy import loaded
+from ...algebra.reals.exact import Point
 from ...arguments import checked
 from ...errors import require
 from ..criteria.conditions import sources
@@ -81,13 +82,15 @@ class Report(Ladder):
         """
         if damped is not False and damped is not True:
             require(damped, bool, "damped")
-        secular = self.secular if damped else None
-        numbers = exact_values(self.equilibrium, values, (secular or self).compared, self.parameters)
+        judge = self.secular if damped else self
+        return self._asked(values, judge.compared, judge.decide)
+
+    def _asked(self, values: Mapping[str, Any], names: Sequence[str],
+               decide: Callable[[Point, dict[Expr, Expr]], Decision]) -> Decision:
+        """What decides at exact numbers, asked at values of some names."""
+        numbers = exact_values(self.equilibrium, values, names, self.parameters)
         margins: dict[Expr, Expr] = {}
-        if numbers.doubt:
-            found = undecided(numbers.doubt)
-        else:
-            found = (secular or self).decide(numbers, margins)
+        found = undecided(numbers.doubt) if numbers.doubt else decide(numbers, margins)
         return with_margins(found, margins, scene_note(self.equilibrium.system, numbers),
                             sources(self.equilibrium, margins, (self.sufficient, self.necessary)))
 
@@ -129,9 +132,7 @@ class Report(Ladder):
         ((12,), ((1, 2),))
         """
         numbers = exact_values(self.equilibrium, values, self.required, self.parameters)
-        found: NormalForm = loaded("stability.normal_forms.normal_form:normal_form")(
-            self.equilibrium, numbers, degree)
-        return found
+        return loaded("stability.normal_forms.normal_form:normal_form")(self.equilibrium, numbers, degree)
 
     @checked
     def window(self, values: Mapping[str, Any] | None = None) -> "Window":
@@ -169,8 +170,7 @@ class Report(Ladder):
         """
         refuse_any_direction(self.equilibrium)
         numbers = exact_values(self.equilibrium, values or {}, (), self.parameters)
-        found: Window = loaded("stability.normal_forms.d4_along_family:window_of")(self.equilibrium, numbers)
-        return found
+        return loaded("stability.normal_forms.d4_along_family:window_of")(self.equilibrium, numbers)
 
     @checked
     def itself(self, values: Mapping[str, Any]) -> Decision:
@@ -203,10 +203,4 @@ class Report(Ladder):
         >>> report.verdict(values).verdict.name, report.itself(values).verdict.name
         ('STABLE', 'UNSTABLE')
         """
-        numbers = exact_values(self.equilibrium, values, self.compared, self.parameters)
-        if numbers.doubt:
-            return self.verdict(values)
-        margins: dict[Expr, Expr] = {}
-        found = self.decide_point(numbers, margins)
-        return with_margins(found, margins, scene_note(self.equilibrium.system, numbers),
-                            sources(self.equilibrium, margins, (self.sufficient, self.necessary)))
+        return self._asked(values, self.compared, self.decide_point)

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from math import factorial
 from typing import Any
 
-from sympy import Dummy, Expr, ImmutableMatrix, Mul, Poly, S, Symbol
+from sympy import Dummy, Expr, Mul, Poly, S, Symbol
 
 from ..._cached import cached_property
 from ...algebra.reals.exact import evaluate, proved_sign, sign_of_constant
@@ -58,13 +58,15 @@ class Amended:
 
         The reduced motion is that of a natural system, without gyroscopic forces.
         """
-        return all(sign_of_constant(x) == 0 for x in (*self._momentum, *self._rotor))
+        pi, rotor, _ = self._vectors
+        return all(sign_of_constant(x) == 0 for x in (*pi, *rotor))
 
     def forms(self, degree: int) -> list[Form]:
         """U_c − U_c(k0) in homogeneous parts of degree 0 to the degree given, k = ((4 − abs(ξ)²) k0 + 4 ξ)/(4
         + abs(ξ)²), ξ ⟂ k0.
         """
-        k0, rotor, tensor = self._direction, self._rotor, self._tensor
+        pi, rotor, k0 = self._vectors
+        tensor = self.equilibrium.system.body.tensor.applyfunc(self._value)
         # two products eᵢ × k0, independent
         ahead = next(n for n in (2, 1, 0) if sign_of_constant(k0[n]))
         across = [cross(tuple(S.One if n == m else S.Zero for n in range(3)), k0)
@@ -74,8 +76,7 @@ class Amended:
         step = [(4 * x - 2 * square * k) / (4 + square) for x, k in zip(tangent, k0)]
         value = sum((slope / Mul(*map(factorial, orders)) * Mul(*(d**n for d, n in zip(step, orders)))
                      for orders, slope in self._slopes(degree).items()), S.Zero)
-        total = [p + r for p, r in zip(self._momentum, rotor)]
-        level = sum(m * k for m, k in zip(total, k0))
+        level = sum((p + r) * k for p, r, k in zip(pi, rotor, k0))
         place = [k + d for k, d in zip(k0, step)]
         value += (level - sum(r * k for r, k in zip(rotor, place))) ** 2 / (
             2 * sum(tensor[i, j] * place[i] * place[j] for i in range(3) for j in range(3))
@@ -136,10 +137,8 @@ class Amended:
             try:
                 values, which = self._expanded(degree)
             except ScopeError as error:
-                return (
-                    None,
-                    f"the second variation is degenerate, and further terms are not compared: {error}",
-                )
+                return None, ("the second variation is degenerate, and further terms are not compared: "
+                              f"{error}")
             if which:
                 return values, which
         return None, f"up to degree {HIGHEST} the amended potential does not change along a direction"
@@ -175,9 +174,8 @@ class Amended:
                 for axis in axes:
                     if not any(orders[axis + 1:]):     # each product of derivatives in one order
                         following = tuple(n + (m == axis) for m, n in enumerate(orders))
-                        above[following] = (
-                            value.diff(DIRECTIONS[axis]) if potential.given else self._jet(following)
-                        )
+                        above[following] = (value.diff(DIRECTIONS[axis]) if potential.given
+                                            else self._jet(following))
             derivatives = above
             found |= {orders: slope for orders, value in above.items() if (slope := self._value(value)) != 0}
         return found
@@ -189,26 +187,14 @@ class Amended:
 
     def _value(self, expression: Expr) -> Expr:
         """At the point and the numbers."""
-        eq = self.equilibrium
-        placed = expression.xreplace(dict(zip(eq.system.space.coordinates, eq.point)))
-        value = eq.insert(eq.at_point(placed))
+        value = self.equilibrium.insert(self.equilibrium.at_point(expression))
         return evaluate(value, self.numbers) if value.free_symbols <= self.numbers.keys() else value
 
     @cached_property
-    def _direction(self) -> tuple[Expr, ...]:
-        return tuple(map(self._value, self.equilibrium.point[3:]))
-
-    @cached_property
-    def _momentum(self) -> tuple[Expr, ...]:
-        return tuple(map(self._value, self.equilibrium.point[:3]))
-
-    @cached_property
-    def _rotor(self) -> tuple[Expr, ...]:
-        return tuple(map(self._value, self.equilibrium.system.body.gyrostatic_momentum))
-
-    @cached_property
-    def _tensor(self) -> ImmutableMatrix:
-        return self.equilibrium.system.body.tensor.applyfunc(self._value)
+    def _vectors(self) -> list[tuple[Expr, ...]]:
+        """π, l and k."""
+        point, rotor = self.equilibrium.point, self.equilibrium.system.body.gyrostatic_momentum
+        return [tuple(map(self._value, vector)) for vector in (point[:3], rotor, point[3:])]
 
 
 def _form(value: Expr) -> Form:

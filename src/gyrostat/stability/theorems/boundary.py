@@ -17,7 +17,6 @@ from ...algebra.solving.margins import Signs
 from ...mechanics.equilibrium.derived_once import once
 from ...mechanics.equilibrium.equilibrium import Equilibrium
 from ...mechanics.equilibrium.reduced_series import powers_of_distance
-from ...mechanics.scenes.kind import Kind
 from ...notation import Stored, jet, symbol
 from ..criteria.conditions import Condition
 from ..criteria.truth import sign_at
@@ -168,12 +167,9 @@ class Boundary(Shown, Stored):
             condition = rung.condition
             if wanted := condition.symbols - numbers.keys():
                 missing = ", ".join(sorted(s.name for s in wanted))
-                what = (
-                    f"give {missing} to decide"
-                    if all(jet(s.name) for s in wanted)
-                    else f"{missing} would decide"
-                )
-                return undecided(f"on the boundary, {what}")
+                if all(jet(s.name) for s in wanted):
+                    return undecided(f"on the boundary, give {missing} to decide")
+                return undecided(f"on the boundary, {missing} would decide")
             here = sign_at(condition, numbers, margins)
             if here is None:
                 return undecided(f"on the boundary, the coefficient of x^{rung.power} in g has no proved "
@@ -198,9 +194,7 @@ class Boundary(Shown, Stored):
 
 @once
 def boundary_of(eq: Equilibrium) -> Boundary | None:
-    """The ladder of an equilibrium with a definite tilt, None where k3 does not move by itself."""
-    if eq.system.kind is not Kind.REVOLUTION:
-        return None
+    """The ladder of an equilibrium of a body of revolution with a definite tilt; else None."""
     tilt = S.One - eq.at**2
     if not tilt.free_symbols:
         return None if sign(tilt, {}) is None else Boundary(eq)

@@ -10,7 +10,7 @@ from sympy import Add, Expr, Matrix, Mul, Rational, S, Symbol
 
 from ..._cached import cached_property
 from ..._display import Shown
-from ...algebra.reals.exact import evaluate, sign_of_constant
+from ...algebra.reals.exact import evaluate, sign, sign_of_constant
 from ...algebra.reals.number_matrices import NotProvedError, rank
 from ...algebra.rings.matrices import multiply
 from ...algebra.rings.polynomials import Ring, cancel, derivatives, lowest_terms
@@ -22,7 +22,7 @@ from ...mechanics.equilibrium.equilibrium import Equilibrium
 from ...mechanics.equilibrium.reduction import reduce
 from ...notation import Stored, symbol
 from ..criteria.linearization import Linearization, linearize
-from ..criteria.numbers_asked import names_in
+from ..criteria.numbers_asked import left_open, names_in
 from ..decision import Decision, Rung, settled, undecided
 
 K3, OMEGA, DU, P = symbol("k3"), symbol("omega"), symbol("dU"), symbol("p_psi")
@@ -119,11 +119,11 @@ class Drift(Shown, Stored):
         """
         body = self.equilibrium.system.body
         wanted = names_in([self.defect, self._p, self.omega, *(self.rates if self.omega else ())])
-        if missing := ", ".join(name for name in wanted if symbol(name) not in numbers):
-            return undecided(f"give {missing} to decide")
+        if missing := left_open(wanted, numbers):
+            return undecided(f"give {', '.join(missing)} to decide")
         linear = self._linear(numbers, margins)
         turning = "relative equilibria near it turn about the axis of the body"
-        if (moving := sign_of_constant(evaluate(self.omega, numbers))) == 0:
+        if (moving := sign(self.omega, numbers)) == 0:
             return settled(False, f"{turning}, at any rate σ; {linear}", Rung.DRIFT)
         slopes = [evaluate(rate, numbers) for rate in self.rates]
         if any(sign_of_constant(slope) for slope in slopes):
@@ -133,7 +133,7 @@ class Drift(Shown, Stored):
         known = {**numbers, **{name: evaluate(value, numbers)
                                for name, value in self.equilibrium.relations if name not in numbers}}
         special = [body.moments[0] - body.moments[2], body.gyrostatic_momentum[2]]
-        signs = [sign_of_constant(evaluate(e, known)) if e.free_symbols <= known.keys() else None
+        signs = [sign(e, known) if e.free_symbols <= known.keys() else None
                  for e in special]
         if any(signs):
             return settled(False, f"{turning}, at a rate σ of second order; {linear}", Rung.DRIFT)

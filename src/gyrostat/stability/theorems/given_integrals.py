@@ -1,12 +1,11 @@
 """What integrals that are given prove where the second variation with the Casimirs alone is indefinite."""
-from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
 from flint import fmpq_mpoly
-from sympy import Expr, ImmutableMatrix, S, Symbol
+from sympy import Expr, ImmutableMatrix, S
 
-from ...algebra.reals.exact import evaluate
+from ...algebra.reals.exact import Point, evaluate
 from ...algebra.rings.matrices import multiply
 from ...algebra.rings.polynomials import Ring
 from ...algebra.solving.definite_combination import definite_combination
@@ -15,8 +14,9 @@ from ...errors import EquilibriumError
 from ...mechanics.equilibrium.coadjoint_orbit import critical_integrals, is_critical, orbit_tangent
 from ...mechanics.equilibrium.derivation_ring import rows_at_point
 from ...mechanics.equilibrium.equilibrium import Equilibrium
-from ...mechanics.scenes.system import at_numbers, names_of_scene
-from ..criteria.conditions import Condition, Criterion
+from ...mechanics.equilibrium.standard_axes import placed
+from ...mechanics.scenes.system import names_of_scene
+from ..criteria.conditions import Criterion
 from ..criteria.energy_casimir import restricted
 from ..criteria.linearization import Linearization
 from ..criteria.three_criteria import spectral_criterion
@@ -52,12 +52,9 @@ def integral_criterion(linearization: Linearization) -> Criterion:
         return Criterion(Notion.FORMAL, ())
     p, q, discriminant = (replace(c, strict=True) for c in spectral_criterion(linearization).alternatives[0])
     found = [_where_none(eq, F) for F in used]
-    return Criterion(Notion.FORMAL, tuple((p, q, _with_factors(discriminant, factors)) for factors in found
-                                     if factors is not None))
-
-
-def _with_factors(condition: Condition, factors: tuple[Expr, ...]) -> Condition:
-    return replace(condition, degenerate=(*condition.degenerate, *factors))
+    return Criterion(Notion.FORMAL, tuple(
+        (p, q, replace(discriminant, degenerate=(*discriminant.degenerate, *factors)))
+        for factors in found if factors is not None))
 
 
 def _where_none(eq: Equilibrium, F: Expr) -> tuple[Expr, ...] | None:
@@ -84,7 +81,7 @@ def _trace(ring: Ring, matrix: list[Any]) -> fmpq_mpoly:
     return sum((row[n] for n, row in enumerate(matrix)), ring.zero)
 
 
-def decide_by_integrals(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> Decision:
+def decide_by_integrals(eq: Equilibrium, numbers: Point) -> Decision:
     """Whether the second variation of h + Σ α F is definite on the orbit for some α: then it is stable.
 
     F are the integrals given, critical there on the orbit. Where none is used, why is "" or says it.
@@ -95,11 +92,14 @@ def decide_by_integrals(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> Deci
     """
     if not eq.system.given_integrals:
         return undecided("")
-    known = {s: evaluate(eq.insert(s), numbers) for s in names_of_scene(eq.system)}
-    if missing := sorted(s.name for s, value in known.items() if value.free_symbols):
+    if missing := sorted(s.name for s in names_of_scene(eq.system)
+                         if evaluate(eq.insert(s), numbers).free_symbols):
         return undecided(f"give {', '.join(missing)} to decide by the integrals")
-    here = _at(eq, known, numbers)
-    if here is None or critical_integrals(here)[1]:        # else a flow is to be divided out
+    try:
+        here = placed(eq, numbers)
+    except EquilibriumError:                               # not proved to be one
+        return undecided("")
+    if critical_integrals(here)[1]:                        # a flow is to be divided out
         return undecided("")
     names = {F: f"F{n}" for n, F in enumerate(here.system.integrals, 1)}
     on_level, idle, used = here.system.integrals_at(here.point), list[str](), list[Expr]()
@@ -125,12 +125,3 @@ def decide_by_integrals(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> Deci
     return settled(True, f"the second variation of h{terms} is definite on the orbit, "
                    + ", ".join(f"{names[F]} = {F}" for F, _ in taken), Rung.INTEGRAL, level=level,
                    pointwise=True, certificate=tuple(taken))
-
-
-def _at(eq: Equilibrium, known: Mapping[Symbol, Expr], numbers: Mapping[Symbol, Expr]) -> Equilibrium | None:
-    """The equilibrium at numbers; None where it is not proved to be one."""
-    try:
-        return Equilibrium(eq.label, at_numbers(eq.system, known),
-                           tuple(evaluate(eq.insert(x), numbers) for x in eq.point))
-    except EquilibriumError:
-        return None

@@ -1,12 +1,12 @@
 """Whether the energy is least on the orbit where its second variation is degenerate."""
 from collections.abc import Iterator, Mapping
 
-from sympy import Add, Expr, Rational, S, Symbol, factorial
+from sympy import Add, Expr, Rational, S, Symbol
 
 from ...algebra.reals.exact import evaluate, sign_of_constant
 from ...mechanics.equilibrium.equilibrium import Equilibrium
+from ...mechanics.equilibrium.reduced_series import field_coefficient, inward
 from ...mechanics.scenes.kind import Kind
-from ...notation import jet_name, symbol
 from .amended_expansion import Amended
 from .momentum_sphere import extremum_at
 
@@ -64,13 +64,13 @@ def _along_axis(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> Least:
 
 def _expanded(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> Iterator[tuple[Rational, Expr]]:
     """The powers of the change x of k3 in W with their coefficients; at a pole x = 1 ∓ k3."""
-    near, root = eq.near_pole, 1 if eq.near_pole is None else eq.near_pole.order
+    root = 1 if eq.near_pole is None else eq.near_pole.order
     kinetic = _kinetic(eq, numbers)
     for n in range(HIGHEST * root + 1):
-        whole, left = divmod(n, root)
-        slope = _slope(eq, whole, numbers) if near is None else _at(eq, near.coefficient(n) if n else S.Zero,
-                                                                    numbers)
-        yield Rational(n, root), evaluate(slope if left else next(kinetic) + slope, {})
+        slope = eq.insert(eq.at_point(field_coefficient(eq, n))) if n else S.Zero
+        if slope.free_symbols <= numbers.keys():
+            slope = evaluate(slope, numbers)
+        yield Rational(n, root), evaluate(slope if n % root else next(kinetic) + slope, {})
 
 
 def _kinetic(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> Iterator[Expr]:
@@ -80,7 +80,7 @@ def _kinetic(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> Iterator[Expr]:
                       evaluate(eq.insert(body.gyrostatic_momentum[2]), numbers))
     pi, k = ([evaluate(eq.insert(x), numbers) for x in vector] for vector in (eq.point[:3], eq.point[3:]))
     # (C1 − l k3 − l x)², C1 − l k3 = π·k
-    rest, way = Add(*(p * x for p, x in zip(pi, k))), _way(eq)
+    rest, way = Add(*(p * x for p, x in zip(pi, k))), inward(eq)
     above = [rest**2, -2 * way * rest * l, l**2]
     below = [2 * (I1 + (I3 - I1) * k3**2), 4 * way * (I3 - I1) * k3, 2 * (I3 - I1)]
     found: list[Expr] = []
@@ -89,21 +89,3 @@ def _kinetic(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> Iterator[Expr]:
         top = (above[n] if n < 3 else S.Zero) - Add(*(below[m] * found[n - m] for m in (1, 2) if m <= n))
         found.append(evaluate(top / below[0], {}))
         yield found[-1]
-
-
-def _slope(eq: Equilibrium, order: int, numbers: Mapping[Symbol, Expr]) -> Expr:
-    """The coefficient of a power of x in U, by its derivative at the point."""
-    if order == 0:
-        return S.Zero
-    return _at(eq, eq.at_point(symbol(jet_name(order))) * _way(eq) ** order / factorial(order), numbers)
-
-
-def _at(eq: Equilibrium, expression: Expr, numbers: Mapping[Symbol, Expr]) -> Expr:
-    """At the numbers, where they are enough."""
-    value = eq.insert(expression)
-    return evaluate(value, numbers) if value.free_symbols <= numbers.keys() else value
-
-
-def _way(eq: Equilibrium) -> Expr:
-    """Of k3 for x: at a pole away from it."""
-    return -eq.at if eq.at**2 == 1 else S.One

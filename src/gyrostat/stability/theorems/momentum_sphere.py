@@ -9,7 +9,7 @@ from typing import NamedTuple
 from sympy import Expr, ImmutableMatrix, Matrix, S, Symbol, eye
 
 from ..._cached import cached_property
-from ...algebra.reals.exact import evaluate, sign_of_constant
+from ...algebra.reals.exact import evaluate, sign, sign_of_constant
 from ...mechanics.equilibrium.equilibrium import Equilibrium
 from ...mechanics.scenes.body import Gyrostat
 from ...mechanics.scenes.kind import Kind
@@ -61,10 +61,10 @@ def extremum(body: Gyrostat, M: Sequence[Expr], nu: Expr) -> Extremum:
     """
     D, momentum = body.inverse - nu * eye(3), Matrix(M)
     adjugate = D.adjugate()
-    signs = [_sign(x) for x in (*adjugate, *(adjugate * momentum), adjugate.trace(), D.trace())]
+    signs = [sign(x, {}) for x in (*adjugate, *(adjugate * momentum), adjugate.trace(), D.trace())]
     minors, moved, product, trace = signs[:9], signs[9:12], signs[12], signs[13]
     if not any(minors):
-        along = _sign(momentum.dot(Matrix(body.gyrostatic_momentum)))
+        along = sign(momentum.dot(Matrix(body.gyrostatic_momentum)), {})
         return Extremum(None if None in minors else along, BY_DISTANCE)
     if None in signs:
         return Extremum(None, "a sign is not proved")
@@ -80,10 +80,6 @@ def extremum_at(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> Extremum:
     M = [evaluate(p + l, {}) for p, l in zip(pi, body.gyrostatic_momentum)]
     axis = next(n for n in range(3) if sign_of_constant(M[n]))
     return extremum(body, M, (body.inverse * pi)[axis] / M[axis])
-
-
-def _sign(constant: Expr) -> int | None:
-    return sign_of_constant(evaluate(constant, {}))
 
 
 @dataclass(frozen=True)
@@ -159,10 +155,3 @@ def sphere_of(eq: Equilibrium) -> MomentumSphere | None:
     axes = [n for n, (pi, l) in enumerate(zip(eq.point, eq.system.body.gyrostatic_momentum)) if pi != 0
             or l != 0]
     return MomentumSphere(eq, axes[0]) if len(axes) == 1 else None
-
-
-def circle_in_words(axis: Sequence[Expr]) -> str:
-    """The circle of equilibria about an axis."""
-    if axis.count(S.Zero) == 2:
-        return f"the circle about axis {next(n for n, x in enumerate(axis, 1) if x != 0)}"
-    return f"the circle about the axis along ({', '.join(map(str, axis))})"
