@@ -181,13 +181,14 @@ def routes(folder):
     from gyrostat.algebra.text.grammar import parse
     from gyrostat.algebra.text.inputs import json_object
     from gyrostat.algebra.text.numbers import exact_number
-    from gyrostat.cli.options.options import axis_of, numbers_of
+    from gyrostat.cli.options.axis_option import axis_of
     from gyrostat.mechanics.scenes.entered_potential import axial_potential
     from gyrostat.notation import symbol
     from gyrostat.published import load
     from gyrostat.published.checks.comparisons import comparisons
     from gyrostat.published.checks.readings import _with_let
     from gyrostat.published.language import read
+    from gyrostat.questions.given_numbers import numbers_of
 
     names = {n: symbol(n) for n in ("I1", "I2", "l", "m0", "k3", "x", "omega")}
     file = folder / f"{os.getpid()}.toml"

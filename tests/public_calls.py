@@ -23,7 +23,16 @@ def verbs():
     """The functions."""
     k, r = known(), results()
     s, m, c, p, t, d = gs.symbol, gs.mechanics, gs.charts, gs.plotting, gs.trajectories, gs.published
+    top = {"potential": "k3", "equilibrium": "E1", "values": {"I1": 1, "I2": 2, "I3": 3, "pi3_0": 4}}
+    satellite = {"orbit": {"rate": "omega0"}, "pointing": [1, 2, 3], "lumped": True,
+                 "rotors": [{"axis": [0, 1, 0], "axial": "1/2", "momentum": "h"}]}
     return [
+        (gs.questions.conditions, {"scene": satellite, "solve_for": None, "windows": False}),
+        (gs.questions.decide, {"scene": {"potential": "m0*k3", "inertia": [5, 4, 3], "integrals": [],
+                                         "point": [0, 0, "3*w", 0, 0, 1], "values": {"m0": 1, "w": 2}}}),
+        (gs.questions.report, {"scene": top}), (gs.questions.show, {"0": top, "1": "decided"}),
+        (gs.questions.decide, {"scene": top}), (gs.questions.show, {"0": top, "1": "analysed"}),
+        (gs.questions.show, {"0": top, "1": "edges", "2": ["I1", "I3"], "3": [["1/2", "2"], ["1/2", "2"]]}),
         (gs.amended_potential, {"scene": k.gyrostat}), (gs.analyze, {"eq": k.upright}),
         (gs.assemble, {"body": k.free.body, "potential": gs.general_potential(0),
                        "integrals": ("M1^2 + M2^2 + M3^2",)}),
@@ -31,8 +40,7 @@ def verbs():
         (gs.axial_potential, {"expression": s("k3")}),
         (gs.bifurcation_points, {"scene": k.top, "name": "pi3_0", "values": {"I1": 1, "l": 0, "m0": 1}}),
         (gs.bifurcation_points, {"scene": k.spun, "name": "M", "values": {"l": 1}}),
-        (gs.bifurcations, {"scene": k.top}),
-        (gs.circular_orbit, {"rate": 1, "potential": 0, "rotors": ()}),
+        (gs.bifurcations, {"scene": k.top}), (gs.circular_orbit, {"rate": 1, "potential": 0, "rotors": ()}),
         (gs.circular_orbit, {"mu": 1, "radius": 2, "rotors": (gs.Rotor((0, 1, 0), 1, momentum=2),)}),
         (gs.continuation, {"scene": k.top, "name": "omega", "ends": (1, 3),
                            "values": {"I1": 2, "I3": 1, "l": 0, "m0": 1}}),
@@ -41,8 +49,9 @@ def verbs():
         (gs.earth_pointing, {"scene": k.satellite, "roll": 1, "pitch": 2, "yaw": 3}),
         (gs.earth_pointing_gyrostat, {"body": k.satellite.body, "orbit": gs.circular_orbit(1),
                                       "roll": 1, "pitch": 2, "yaw": 3}),
-        (gs.energy_sink_criterion, {"eq": gs.equilibrium(gs.assemble(k.dual), (0, 0, 0)), "rotor": k.wheel,
-                                    "platform_damping": s("c_p"), "rotor_damping": s("c_r")}),
+        (gs.derivation.energy_sink_criterion, {
+            "eq": gs.equilibrium(gs.assemble(k.dual), (0, 0, 0)), "rotor": k.wheel,
+            "platform_damping": s("c_p"), "rotor_damping": s("c_r")}),
         (gs.equilibrium, {"scene": k.top, "point": (0, 0, s("pi3_0"), 0, 0, 1), "relations": (),
                           "domain": (), "label": "E"}),
         (gs.equilibrium, {"scene": k.field, "point": (0, 0, 0, "3/5", 0, "4/5"),
@@ -65,7 +74,7 @@ def verbs():
         (gs.parallel_directions, {"eq": gs.steady_motion(k.vehicle, (0, 0, s("p0")), (0, 0, 1))}),
         (gs.permanent_rotation, {"scene": gs.assemble(k.free.body, gs.general_potential()),
                                  "direction": ("1/3", "2/3", "2/3")}),
-        (gs.principal_rotation, {"scene": k.free, "axis": 2}), (gs.reduce, {"scene": k.top}),
+        (gs.principal_rotation, {"scene": k.free, "axis": 2}), (gs.mechanics.reduce, {"scene": k.top}),
         (gs.relative_equilibria, {"scene": k.top, "values": {"I1": 2, "I3": 1, "l": 0, "m0": 3, "omega": 2}}),
         (gs.relative_equilibria, {"scene": k.free, "values": {"M": 1}}),
         (gs.relative_equilibria, {"scene": k.heavy, "values": {"omega": 2}}),

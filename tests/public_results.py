@@ -91,7 +91,8 @@ def results():
         "charts.CertifiedChart": gs.charts.certified_chart(k.report, region, resolution="1/64"),
         "charts.CompiledMargin": gs.charts.compile_margin(k.report.sufficient.alternatives[0][0]),
         "mechanics.FreePrecession": gs.mechanics.free_precession((1, 2), 3, 3),
-        "mechanics.Reduction": gs.reduce(k.top), "published.Counterexample": wrong.outcome.counterexample,
+        "mechanics.Reduction": gs.mechanics.reduce(k.top),
+        "published.Counterexample": wrong.outcome.counterexample,
         "published.Finding": finding, "published.Outcome": finding.outcome,
         "published.Source": gs.published.load("AR"), "published.Statement": finding.statement,
         "trajectories.Confirmation": gs.trajectories.confirm(

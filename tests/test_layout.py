@@ -14,8 +14,8 @@ import gyrostat
 
 SRC = Path(gyrostat.__file__).parent
 FLOORS = ("version _lazy _cached _display errors notation typesetting registry arguments algebra mechanics "
-          "stability derivation equilibria parameters printing charts trajectories plotting published cli "
-          "__main__").split()
+          "stability derivation equilibria parameters printing charts trajectories plotting published "
+          "questions cli __main__").split()
 OPTIONAL = {"matplotlib", "xarray", "dask", "distributed", "zarr", "numba", "llvmlite", "scipy", "heyoka",
             "contourpy", "plotly"}
 
@@ -122,7 +122,8 @@ def test_import_loads_no_mathematics():
     assert "gyrostat.stability.report.report" in new and heavy(new) == {"sympy", "flint"} and not above(new)
 
 
-@pytest.mark.parametrize("name", ["gyrostat", "gyrostat.charts", "gyrostat.mechanics"])
+@pytest.mark.parametrize("name", ["gyrostat", "gyrostat.charts", "gyrostat.mechanics",
+                                  "gyrostat.questions"])
 def test_what_type_checkers_read_is_what_is_loaded_later(name):
     """The names of a package, each imported for them from its home."""
     package = importlib.import_module(name)
@@ -161,7 +162,7 @@ from contextlib import suppress
 from gyrostat.cli.parser import main
 with suppress(SystemExit):
     main({arguments.split()})""")
-    assert not heavy(new) and "gyrostat.cli.options.options" not in new
+    assert not heavy(new) and "gyrostat.cli.options.scene_files" not in new
 
 
 def test_files_are_short():

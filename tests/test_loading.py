@@ -1,10 +1,13 @@
 """What is loaded when it is used: each name is there, stands below, and is not loaded before."""
 import re
+import sys
 from importlib import import_module
 from pathlib import Path
 
 import pytest
 from test_layout import FLOORS, SRC, loaded
+
+import gyrostat as gs
 
 WORDS = {"{THEOREMS}": "stability.theorems", "{NORMAL_FORMS}": "stability.normal_forms"}
 
@@ -38,3 +41,36 @@ def test_the_report_of_a_sleeping_top_loads_no_theorem_that_it_does_not_need():
     theorems = {m for m in new if m.startswith("gyrostat.stability.theorems.")}
     assert theorems == {"gyrostat.stability.theorems.boundary"}
     assert not any(m.startswith("gyrostat.stability.normal_forms") for m in new)
+
+
+def test_gyrostat_report_loads_at_most_115_modules():
+    """Packages not counted."""
+    new = loaded("import contextlib, io; from gyrostat.cli.parser import main\n"
+                 "with contextlib.redirect_stdout(io.StringIO()): main(['report'])")
+    ours = {m for m in new if SRC.parent.joinpath(*m.split(".")).with_suffix(".py").is_file()}
+    assert "gyrostat.cli.verbs.report" in ours and len(ours) <= 115
+
+
+def heavy(moment):
+    """A heavy gyrostat that no test has seen."""
+    return gs.assemble(gs.Gyrostat((moment, 4, 3), (0, 0, "1/2")), gs.general_potential("k1 + 2*k2 + k3"))
+
+
+@pytest.mark.parametrize(("moment", "notion"), [(6, "ARNOLD_MOSER"), (7, "LYAPUNOV")])
+def test_the_verdict_on_a_heavy_rotation_calls_functions_of_at_most_55_modules(moment, notion):
+    """It is found among all at a rate; verdicts on another body have loaded what is needed."""
+    called = set()
+
+    def note(frame, event, _):
+        if event == "call" and Path(frame.f_code.co_filename).is_relative_to(SRC):
+            called.add(frame.f_code.co_filename)
+
+    others = gs.relative_equilibria(heavy(moment - 1), {"omega": 2})
+    notions = [found.decision.notion.name for found in others]
+    scene, before = heavy(moment), sys.getprofile()
+    sys.setprofile(note)
+    try:
+        decision = gs.relative_equilibria(scene, {"omega": 2})[notions.index(notion)].decision
+    finally:
+        sys.setprofile(before)
+    assert decision.notion.name == notion and 20 < len(called) <= 55

@@ -6,7 +6,7 @@ from pathlib import Path
 import gyrostat as gs
 
 PAGES = Path(__file__).parents[1] / "docs" / "reference" / "api"
-NAMESPACES = ("charts", "derivation", "mechanics", "plotting", "published", "trajectories")
+NAMESPACES = ("charts", "derivation", "mechanics", "plotting", "published", "questions", "trajectories")
 LINE = re.compile(r"^\.\. currentmodule:: (\S+)$|^   (\w+)$|^\.\. py:data:: (\w+)$", flags=re.MULTILINE)
 
 

@@ -21,7 +21,7 @@ from licences import shipped
 from linked import linked
 
 HERE = Path(__file__).parent
-MODULES = ("session.py", "copies.py", "every.py", "programs.py", "edges.py", "typeset.py", "examples.json")
+MODULES = ("session.py", "examples.json")
 INTERPRETER = ("pyodide.mjs", "pyodide.asm.mjs", "pyodide.asm.wasm")
 
 

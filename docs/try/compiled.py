@@ -44,8 +44,9 @@ def used() -> set[str]:
     """
     sys.path.insert(0, f"{STAGE}/packages")
     session = importlib.import_module("session")
+    wanted = importlib.import_module("gyrostat.questions").WANTED
     for example in json.loads((STAGE / "packages" / "examples.json").read_text(encoding="utf-8")):
-        for want in session.WANTED:
+        for want in wanted:
             question = {"want": want, "scene": example["scene"], "more": MORE.get(want, ())}
             said = json.loads(session.answer(json.dumps(question)))
             if "error" in said:

@@ -5,7 +5,8 @@ A scene is a body and a field, `assemble`d into a Lie-Poisson system; its equili
 those solved for parameters (`stabilizing_set`). Beyond that: `gyrostat.derivation`, the steps to the
 conditions one by one; `gyrostat.charts`, verdicts over ranges of parameters; `gyrostat.trajectories`,
 motions; `gyrostat.mechanics`, the classical formulas; `gyrostat.plotting`, pictures; `gyrostat.published`,
-printed formulas checked. What these need is loaded when they are used.
+printed formulas checked; `gyrostat.questions`, a scene as a table in, an answer as data for JSON out. What
+these need is loaded when they are used.
 """
 from importlib import import_module
 from typing import TYPE_CHECKING
@@ -17,7 +18,7 @@ from .cli import start as _start  # noqa: F401 (what Ctrl-C does while the rest 
 from .version import __version__
 
 if TYPE_CHECKING:
-    from . import charts, derivation, mechanics, plotting, published, trajectories
+    from . import charts, derivation, mechanics, plotting, published, questions, trajectories
     from .equilibria.continuation.continuation import continuation
     from .equilibria.continuation.meeting_equations import Bifurcation, bifurcations
     from .equilibria.continuation.meeting_values import bifurcation_points
@@ -30,7 +31,6 @@ if TYPE_CHECKING:
     from .mechanics.equilibrium.claimed_point import equilibrium
     from .mechanics.equilibrium.equilibrium import Equilibrium
     from .mechanics.equilibrium.parallel_directions import parallel_directions
-    from .mechanics.equilibrium.reduction import reduce
     from .mechanics.equilibrium.unit_vectors import stereographic
     from .mechanics.families.circular_orbit import circular_orbit, earth_pointing
     from .mechanics.families.holding_rotor import earth_pointing_gyrostat
@@ -57,7 +57,6 @@ if TYPE_CHECKING:
     from .parameters.stabilizing_set import stabilizing_set
     from .printing.formats.article import to_latex
     from .stability.criteria.conditions import Condition, Criterion
-    from .stability.damping.energy_sink import energy_sink_criterion
     from .stability.decision import Decision, Rung, Verdict
     from .stability.normal_forms.d4_along_family import Window
     from .stability.normal_forms.normal_form import NormalForm
@@ -74,11 +73,11 @@ __all__ = [
     "Bifurcation", "bifurcation_points", "bifurcations", "Case", "charts",
     "circular_orbit", "Condition", "Continuation", "continuation", "coupled_potential",
     "CoupledPotential", "Criterion", "CriticalPoint", "Decision", "derivation", "earth_pointing",
-    "earth_pointing_gyrostat", "energy_sink_criterion", "Equilibrium", "equilibrium", "errors",
+    "earth_pointing_gyrostat", "Equilibrium", "equilibrium", "errors",
     "general_potential", "Gyrostat", "gyrostat_with_rotors", "hanging",
     "ideal_fluid", "inclined", "Interval", "lie_poisson", "LiePoisson", "Mark", "mechanics",
     "newtonian_field", "NormalForm", "NOTATION", "Notion", "orbital_precession", "parallel_directions",
-    "permanent_rotation", "Piece", "plotting", "Potential", "principal_rotation", "published", "reduce",
+    "permanent_rotation", "Piece", "plotting", "Potential", "principal_rotation", "published", "questions",
     "relative_equilibria", "RelativeEquilibrium", "release", "Report", "Rotor",
     "Rung", "Solution", "solve_condition", "SolvedCondition", "Spectrum", "spectrum", "stabilizing_set",
     "static_tilt", "staude_cone", "StaudeCone", "steady_motion", "stereographic", "symbol",
@@ -87,7 +86,8 @@ __all__ = [
 ]
 
 __getattr__, __dir__ = _later(__name__, {
-    "charts": "", "derivation": "", "mechanics": "", "plotting": "", "published": "", "trajectories": "",
+    "charts": "", "derivation": "", "mechanics": "", "plotting": "", "published": "", "questions": "",
+    "trajectories": "",
     "mechanics.scenes.body": "Gyrostat symmetric_gyrostat",
     "mechanics.scenes.coupled": "CoupledPotential coupled_potential",
     "mechanics.scenes.entered_potential": "axial_potential general_potential",
@@ -100,7 +100,6 @@ __getattr__, __dir__ = _later(__name__, {
     "mechanics.equilibrium.claimed_point": "equilibrium",
     "mechanics.equilibrium.equilibrium": "Equilibrium",
     "mechanics.equilibrium.parallel_directions": "parallel_directions",
-    "mechanics.equilibrium.reduction": "reduce",
     "mechanics.equilibrium.unit_vectors": "stereographic",
     "mechanics.families.circular_orbit": "circular_orbit earth_pointing",
     "mechanics.families.holding_rotor": "earth_pointing_gyrostat",
@@ -115,7 +114,6 @@ __getattr__, __dir__ = _later(__name__, {
     "stability.decision": "Decision Rung Verdict", "stability.notion": "Notion",
     "stability.normal_forms.d4_along_family": "Window",
     "stability.normal_forms.normal_form": "NormalForm",
-    "stability.damping.energy_sink": "energy_sink_criterion",
     "stability.report.analysis": "analyze",
     "stability.report.report": "Report",
     "equilibria.search": "relative_equilibria",

@@ -14,6 +14,7 @@ from browser.driving import AGREE, picked, pixels
 from gyrostat import trajectories
 from gyrostat.algebra.text.numbers import exact_number
 from gyrostat.mechanics.scenes.system import names_of_scene
+from gyrostat.questions.page.chosen import chosen
 
 CHANGES = int(os.environ.get("GYROSTAT_CHANGES", "200"))
 VISITOR = Path(__file__).with_name("visitor.js").read_text(encoding="utf-8")
@@ -110,8 +111,7 @@ def shown(decided):
 
 
 def report(question):
-    without = {name: value for name, value in table(question).items() if name != "values"}
-    return session.chosen(json.dumps(without)).report
+    return chosen(table(question)).report
 
 
 def moves(question, answer):

@@ -11,6 +11,8 @@ import session
 from browser.driving import AGREE, picked, pixels, shown, typed
 from mpmath import mp, mpf
 
+from gyrostat.questions.page.chosen import chosen
+
 EXAMPLES = json.loads((Path(session.__file__).parent / "examples.json").read_text(encoding="utf-8"))
 DRAWN = """places => new Promise(done => setTimeout(() => {
     const { data } = document.getElementById("chart").getContext("2d").getImageData(0, 0, 400, 400);
@@ -43,8 +45,7 @@ BOUNDED = ("log", "power", "asin", "acos", "acosh", "atanh")         # what is u
 
 
 def report_of(number):
-    table = {name: value for name, value in EXAMPLES[number]["scene"].items() if name != "values"}
-    return session.chosen(json.dumps(table)).report
+    return chosen(EXAMPLES[number]["scene"]).report
 
 
 def test_a_number_with_a_unit_is_one_of_its_name(page):
@@ -126,8 +127,7 @@ def test_fields_of_every_function_have_a_chart(page, field):
     places = [(rng.randrange(400), rng.randrange(400)) for _ in range(60)]
     drawn = page.evaluate(DRAWN, places)
     scene = {**EXAMPLES[3]["scene"], "potential": field}
-    scene.pop("values")
-    agreed = pixels_agree(session.chosen(json.dumps(scene)).report, places, drawn)
+    agreed = pixels_agree(chosen(scene).report, places, drawn)
     assert sum(agreed.values()) > 50 and {"stable", "unstable"} <= set(agreed)
 
 

@@ -8,10 +8,11 @@ from random import Random
 import pytest
 import session
 from browser.driving import picked, typed
-from programs import steps_to
 
 import gyrostat as gs
 from gyrostat.mechanics.scenes.system import names_of_scene
+from gyrostat.questions.page.chosen import chosen
+from gyrostat.questions.page.programs import steps_to
 
 EXAMPLES = json.loads((Path(session.__file__).parent / "examples.json").read_text(encoding="utf-8"))
 FIELDS = ["m0*k3", "k3^4 - k3^2/2", "m0*k3 + m1*k3^2", "exp(k3)*m0", "c1*k1 + c3*k3", "m0*k3 + m1*k1*k2",
@@ -49,7 +50,7 @@ def test_motions_are_those_of_the_library(page):
     """To 1e-9, 50 of them."""
     given, expected = [], []
     for table, values, state in scenes(50):
-        scene = session.chosen(json.dumps(table)).scene
+        scene = chosen(table).scene
         given.append({"rates": steps_to(scene.vector_field()), "state": [float(x) for x in state],
                       "coordinates": [x.name for x in scene.space.coordinates],
                       "numbers": {name: float(Fraction(text)) for name, text in values.items()}})
@@ -70,8 +71,7 @@ def test_what_is_read_is_on_the_path(page, number, state):
         push.value = 0.1; push.dispatchEvent(new Event("input")); }""")
     page.wait_for_timeout(1500)
     time, vector = page.inner_text("#state").removeprefix("t = ").split(": ")
-    table = {name: value for name, value in EXAMPLES[number]["scene"].items() if name != "values"}
-    scene, values = session.chosen(json.dumps(table)).scene, EXAMPLES[number]["scene"]["values"]
+    scene, values = chosen(EXAMPLES[number]["scene"]).scene, EXAMPLES[number]["scene"]["values"]
     known = {str(name) for name in names_of_scene(scene)}
     motion = gs.trajectories.motion(scene, state, {name: values[name] for name in values if name in known})
     there = [float(x) for x in vector.split("= (")[1].rstrip(")").split(", ")]

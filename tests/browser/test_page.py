@@ -6,6 +6,8 @@ import pytest
 import session
 from browser.driving import latex, picked, shown, typed
 
+from gyrostat.questions import WANTED
+
 EXAMPLES = json.loads((Path(session.__file__).parent / "examples.json").read_text(encoding="utf-8"))
 TWO_NUMBERS = "input => { input.value = %s; input.dispatchEvent(new Event('input')); }"
 
@@ -140,7 +142,7 @@ def test_a_link_restores_what_is_on_the_page(page, context):
 def test_the_library_answers_there_as_it_does_here(page):
     """Every question about every example, character by character."""
     for example in EXAMPLES:
-        for want in session.WANTED:
+        for want in WANTED:
             found = page.evaluate("""async ([want, scene]) => {
                 window.other ??= new (await import("./analyser.js")).Analyser(() => {});
                 return window.other.ask(want, scene);

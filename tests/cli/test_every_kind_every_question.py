@@ -3,7 +3,6 @@ import json
 from fractions import Fraction
 
 import pytest
-import session
 from commands import run
 from scene_kinds import CASES
 
@@ -73,11 +72,22 @@ def test_a_batch_says_the_same(case, file, capsys, tmp_path):
                                                   case.report.verdict(case.values, damped=True))
 
 
+@pytest.mark.parametrize("verb", ["report", "conditions", "decide"])
+def test_a_question_about_the_table_is_answered_with_the_document(case, file, capsys, verb):
+    """Key by key what the verb writes of the file; or it is refused in the same words."""
+    status, out, err = run(capsys, "--scene", file, "--format", "json", verb=verb)
+    try:
+        found = getattr(gs.questions, verb)(case.table | {"values": case.values})
+    except GyrostatError as refused:
+        assert (status, err) == (2, f"gyrostat: {refused}\n")
+    else:
+        assert status == 0 and found == json.loads(out)
+
+
 def test_the_page_says_the_same(case):
     """Its verdicts, and the sentence that says what is proved."""
     decision, damped = case.report.verdict(case.values), case.report.verdict(case.values, damped=True)
-    scene = case.table | {"values": case.values}
-    found = json.loads(session.answer(json.dumps({"want": "decided", "scene": scene})))
+    found = gs.questions.show(case.table | {"values": case.values}, "decided")
     assert (found["verdict"], found["damped"]) == (decision.verdict.name, damped.verdict.name)
     assert decision.proved in json.dumps(found["blocks"], ensure_ascii=False)
 

@@ -18,7 +18,7 @@ LEVEL = {"p_phi": 1, "p_psi": 1}
 REFUSED = {
     "orbital_precession": lambda: gs.orbital_precession(gs.assemble(FREE.body, gs.circular_orbit(1)),
                                                         "conical"),
-    "reduce": lambda: gs.reduce(HEAVY), "inclined": lambda: gs.inclined(HEAVY),
+    "reduce": lambda: gs.mechanics.reduce(HEAVY), "inclined": lambda: gs.inclined(HEAVY),
     "static_tilt": lambda: gs.static_tilt(HEAVY), "bifurcations": lambda: gs.bifurcations(HEAVY),
     "bifurcation_points": lambda: gs.bifurcation_points(HEAVY, "omega", {}),
     "angular_momentum": lambda: gs.mechanics.angular_momentum(HEAVY.body),

@@ -17,8 +17,8 @@ LEVEL = {"p_phi": 1, "p_psi": 1}
 
 REFUSED = {
     "upright": gs.upright, "hanging": gs.hanging, "inclined": gs.inclined, "static_tilt": gs.static_tilt,
-    "permanent_rotation": gs.permanent_rotation, "reduce": gs.reduce, "bifurcations": gs.bifurcations,
-    "amended_potential": gs.amended_potential, "staude_cone": gs.staude_cone,
+    "permanent_rotation": gs.permanent_rotation, "reduce": gs.mechanics.reduce,
+    "bifurcations": gs.bifurcations, "amended_potential": gs.amended_potential, "staude_cone": gs.staude_cone,
     "principal_rotation": lambda scene: gs.principal_rotation(scene, 3),
     "bifurcation_points": lambda scene: gs.bifurcation_points(scene, "omega", {}),
     "continuation": lambda scene: gs.continuation(scene, "omega", (0, 1), {}),

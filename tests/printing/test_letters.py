@@ -34,7 +34,7 @@ def heavy(name):
     scene = gs.assemble(gs.symmetric_gyrostat(), U)
     reports = [gs.analyze(family(scene)) for family in (gs.upright, gs.inclined)]
     yield from whole_blocks(scene, list(chain(*map(report_blocks, reports))))
-    yield from result_blocks(gs.reduce(scene))
+    yield from result_blocks(gs.mechanics.reduce(scene))
 
 
 def by_its_body(name):

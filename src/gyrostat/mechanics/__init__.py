@@ -16,14 +16,14 @@ if TYPE_CHECKING:
     from .classical.free_precession import FreePrecession, free_precession
     from .classical.lagrangian import angular_momentum, effective_potential, lagrangian, momenta
     from .equilibrium.reduced_series import expansion
-    from .equilibrium.reduction import Reduction
+    from .equilibrium.reduction import Reduction, reduce
     from .scenes.kind import Kind
     from .scenes.principal_axes import principal_axes
 
 __all__ = ["angle_rates", "angular_momentum", "angular_velocity",
            "effective_potential", "expansion", "free_precession", "FreePrecession", "Kind", "lagrangian",
-           "momenta", "momentum_limits", "polhode_period", "principal_axes", "Reduction", "rotation",
-           "torque_equations"]
+           "momenta", "momentum_limits", "polhode_period", "principal_axes", "reduce", "Reduction",
+           "rotation", "torque_equations"]
 
 __getattr__, __dir__ = later(__name__, {
     "classical.attitude": "angle_rates angular_velocity rotation",
@@ -31,5 +31,5 @@ __getattr__, __dir__ = later(__name__, {
     "classical.free_body": "momentum_limits polhode_period torque_equations",
     "classical.lagrangian": "angular_momentum effective_potential lagrangian momenta",
     "classical.free_precession": "FreePrecession free_precession", "equilibrium.reduced_series": "expansion",
-    "equilibrium.reduction": "Reduction",
+    "equilibrium.reduction": "Reduction reduce",
 })

@@ -69,7 +69,7 @@ def test_a_batch_overrides_what_is_set(capsys, monkeypatch):
 @pytest.mark.slow
 def test_reports_are_derived_once(capfd, monkeypatch):
     """One derivation for each potential, equilibrium and name of the spin."""
-    from gyrostat.cli.answers import equilibria as scenes
+    from gyrostat.questions.answers import equilibria as scenes
     scenes.report_of.cache_clear()
     analyze = scenes.analyze
     monkeypatch.setattr(scenes, "analyze", lambda eq: print(eq.label, file=sys.stderr, flush=True)

@@ -4,12 +4,13 @@ import json
 import pytest
 from commands import decide, run
 
-from gyrostat.cli.options.options import axis_of, numbers_of
+from gyrostat.cli.options.axis_option import axis_of
 from gyrostat.cli.options.scene_files import with_scene
 from gyrostat.cli.parser import main, parser
 from gyrostat.errors import GyrostatError, ValuesError
 from gyrostat.mechanics.families.named_families import FAMILIES, called, in_words, known_of, named
 from gyrostat.mechanics.scenes.kind import Kind
+from gyrostat.questions.given_numbers import numbers_of
 
 HEAVY = ["--potential", "m0*k3", "--equilibrium", "E1"]
 SPUN = ["I1=1", "I3=1.6", "l=0", "m0=1", "omega3_0=1.25"]

@@ -9,14 +9,14 @@ import pytest
 from commands import run
 
 import gyrostat
-from gyrostat.cli.answers.equilibria import report_for
 from gyrostat.cli.batch.batch_lines import question
-from gyrostat.cli.options.scene_texts import Asked
 from gyrostat.cli.parser import main, parser
 from gyrostat.errors import PublishedError, ValuesError
 from gyrostat.mechanics.families.family import Family
 from gyrostat.mechanics.families.named_families import FAMILIES
 from gyrostat.published.scenes import Scene
+from gyrostat.questions.answers.equilibria import report_for
+from gyrostat.questions.scene_texts import Asked
 
 TOP = ["--set", "I1=1", "--set", "I3=1.6", "--set", "l=0", "--set", "m0=1"]
 

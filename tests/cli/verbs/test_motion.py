@@ -9,8 +9,8 @@ import pytest
 from cli.two_motions import FREE, TOP, the_box, the_top
 
 import gyrostat as gs
-from gyrostat.cli.options.scene_texts import Asked, scene_of
 from gyrostat.cli.parser import main
+from gyrostat.questions.scene_texts import Asked, scene_of
 from gyrostat.trajectories import motion
 
 

@@ -8,6 +8,7 @@ from sympy import Rational, pi
 from two_spheres import growing_modes
 
 import gyrostat as gs
+from gyrostat.derivation import energy_sink_criterion
 from gyrostat.errors import ScopeError, ValuesError
 from gyrostat.printing.formats.json_data import criterion_data
 
@@ -32,7 +33,7 @@ def condition(A, whole, axial, rate, spin, c_p, c_r, driven):
     rotor = gs.Rotor((0, 0, 1), axial, **speed)
     scene = gs.assemble(gs.gyrostat_with_rotors((A, A, whole), [rotor], lumped=True))
     turning = gs.equilibrium(scene, (0, 0, scene.body.moments[2] * rate))
-    criterion = gs.energy_sink_criterion(turning, rotor, platform_damping=c_p, rotor_damping=c_r)
+    criterion = energy_sink_criterion(turning, rotor, platform_damping=c_p, rotor_damping=c_r)
     assert criterion.alternatives in ((), ((),))
     return bool(criterion.alternatives)
 
@@ -86,12 +87,12 @@ def test_damping_of_the_platform_alone_is_the_secular_criterion():
     rotor = gs.Rotor((0, 0, 1), C, rate=OMEGA)
     I1, I3 = gs.symbol("I1"), gs.symbol("I3")
     spin = gs.principal_rotation(gs.assemble(gs.gyrostat_with_rotors((I1, I1, I3), [rotor], lumped=True)), 3)
-    platform = gs.energy_sink_criterion(spin, rotor, platform_damping=1, rotor_damping=0)
+    platform = energy_sink_criterion(spin, rotor, platform_damping=1, rotor_damping=0)
     ((condition,),) = gs.analyze(spin).damped.alternatives
     assert platform.alternatives[0][0].margin == condition.margin
     # of the rotor as the body, at ω + Ω, and the platform as its rotor: I3 − C_r at −Ω
     exchanged = {gs.symbol("omega3_0"): gs.symbol("omega3_0") + OMEGA, C: I3 - C, OMEGA: -OMEGA}
-    of_rotor = gs.energy_sink_criterion(spin, rotor, platform_damping=0, rotor_damping=1).alternatives[0][0]
+    of_rotor = energy_sink_criterion(spin, rotor, platform_damping=0, rotor_damping=1).alternatives[0][0]
     assert (of_rotor.margin - condition.margin.subs(exchanged, simultaneous=True)).expand() == 0
 
 
@@ -104,11 +105,11 @@ def despun():
 
 
 def test_it_prints_as_text_latex_and_json(despun):
-    criterion = gs.energy_sink_criterion(*despun, platform_damping=C_P, rotor_damping=C_R)
+    criterion = energy_sink_criterion(*despun, platform_damping=C_P, rotor_damping=C_R)
     assert (str(criterion), gs.to_latex(criterion)) == ("c_p > 24 c_r", "c_{p} > 24 c_{r}")
     data = criterion_data(criterion)
     assert (data["notion"], data["any_of"][0]["all_of"][0]["margin"]) == ("energy sink", "c_p - 24*c_r")
-    lost = gs.energy_sink_criterion(*despun, platform_damping=1, rotor_damping=1)
+    lost = energy_sink_criterion(*despun, platform_damping=1, rotor_damping=1)
     assert (str(lost), gs.to_latex(lost)) == ("never", r"\text{never}")
 
 
@@ -116,10 +117,10 @@ def test_what_is_refused(despun):
     turning, rotor = despun
     for given, words in ((("-1", 1), "not negative"), ((0, 0), "not both 0")):
         with pytest.raises(ValuesError, match=words):
-            gs.energy_sink_criterion(turning, rotor, platform_damping=given[0], rotor_damping=given[1])
+            energy_sink_criterion(turning, rotor, platform_damping=given[0], rotor_damping=given[1])
     other = gs.Rotor((0, 0, 1), "40 kg m^2", rate="61 rpm")
     with pytest.raises(ScopeError, match="this one rotor"):
-        gs.energy_sink_criterion(turning, other, platform_damping=1, rotor_damping=1)
+        energy_sink_criterion(turning, other, platform_damping=1, rotor_damping=1)
     three = gs.assemble(gs.Gyrostat((3, 2, 1), (0, 0, 80 * pi)))
     with pytest.raises(ScopeError, match="transverse moments are 3 and 2|2 and 3"):
-        gs.energy_sink_criterion(gs.principal_rotation(three, 3), rotor, platform_damping=1, rotor_damping=1)
+        energy_sink_criterion(gs.principal_rotation(three, 3), rotor, platform_damping=1, rotor_damping=1)

@@ -10,12 +10,12 @@ import sympy
 from flint import arb, fmpq, fmpq_mpoly
 from sympy import CRootOf, Derivative, Dummy, Expr, Integer, Rational, Subs, Symbol
 
+from ..._lazy import loaded
 from ...errors import ScopeError, brief
 from ..enclosures.algebraic import is_algebraic, separation
 from ..enclosures.balls import ball
 from ..enclosures.rationals import to_sympy
 from ..rings.polynomials import Ring
-from .transcendental import vanishes
 
 # bits: a sign that is not proved by then is not known; the normal form is sooner
 LIMIT, ALGEBRAIC_LIMIT, FAR = 4096, 2**20, 2**14
@@ -135,8 +135,10 @@ def sign_of_constant(constant: Expr) -> int | None:
         if least is not None and abs(enclosure) < arb(2) ** -least:
             return 0
         far = precision == 256 and (least is None or least > FAR)
-        if far and enclosure.is_finite() and vanishes(constant, sign_of_constant):
-            return 0
+        if far and enclosure.is_finite():
+            vanishes = loaded("algebra.reals.transcendental:vanishes")
+            if vanishes(constant, sign_of_constant):
+                return 0
         precision *= 2
     return None
 

@@ -15,8 +15,9 @@ from ...algebra.text.numbers import exact_number
 from ...errors import ValuesError, brief
 from ...mechanics.families.named_families import called, in_words, known_families
 from ...printing.files import moved, replaceable
-from ..options.options import one_spin, unless_given
-from ..options.scene_texts import Asked, asked_of
+from ...questions.given_numbers import one_spin, unless_given
+from ...questions.scene_texts import Asked
+from ..options.scene_files import asked_of
 from ..output import printed
 
 READ = 2**16                                           # bytes that are read at a time

@@ -14,10 +14,11 @@ from select import select
 from typing import Any
 
 from ...errors import GyrostatError, ValuesError
-from ..answers.answer_list import answers_data
-from ..answers.answers import answers_at
-from ..options.options import numbers_of
-from ..options.scene_texts import asked_of, scene_of
+from ...questions.answers.answer_list import answers_data
+from ...questions.answers.answers import answers_at
+from ...questions.given_numbers import numbers_of
+from ...questions.scene_texts import scene_of
+from ..options.scene_files import asked_of
 from ..output import internal
 from ..time_limit import held_back, left_alone, limited
 from .batch_lines import question

@@ -1,6 +1,6 @@
-"""What options mean: a scene, numbers, axes of a chart, LaTeX.
+"""What options mean: a scene, an axis of a chart, a motion, LaTeX.
 
 `scene_options` declares the options that name a scene, and `scene_files` fills them from a file.
-`scene_texts` makes the body and the field of them, `options` the exact numbers and the axes. `latex_options`
-says how LaTeX is written.
+`axis_option` has the values of an axis, `motion_options` a motion and its times, and `latex_options` say how
+LaTeX is written.
 """

@@ -1,19 +1,17 @@
 """--scene FILE#NAME: the [scene.NAME] table of a file, in the place of the options that are left out."""
 import argparse
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Iterable
+from dataclasses import fields
 from pathlib import Path
 from typing import Any
 
 from ...algebra.text.inputs import name_of, toml_of
 from ...algebra.text.spelling import names_in
 from ...errors import GyrostatError, PublishedError, ValuesError, brief
-from ...mechanics.families.circular_orbit import orbital_rate
-from ...mechanics.families.scene_tables import NONE, SceneTable, scene_tables
-from .options import SPINS, numbers_of, unless_given
+from ...mechanics.families.scene_tables import SceneTable, scene_tables
+from ...questions.given_numbers import SPINS, numbers_of, unless_given
+from ...questions.scene_texts import BODY, Asked, entries_of, text_of
 
-# what a file means where it does not say it, as for a formula
-BODY: dict[str, Any] = {"inertia": ["I1", "I2", "I3"], "gyrostatic_momentum": ["0", "0", "0"],
-                        "potential": NONE}
 # what an option of that name has too
 TEXTS = (*BODY, "spin", "eliminate", "point", "state", "integrals", "orbit", "pointing",
          "direction", "release")
@@ -31,7 +29,7 @@ def with_scene(given: argparse.Namespace) -> argparse.Namespace:
     """
     if getattr(given, "scene", None) is None:
         return given
-    options, table = vars(given), {**BODY, **_table(given.scene)}
+    options, table = vars(given), entries_of(scene_of_file(given.scene))
     if "orbit" in table and "orbit" not in options:
         raise ValuesError(f"the scene {given.scene} is in orbit, and {given.kind} is of a free body: name "
                           "another scene; of a satellite plot eigenvalues draws the spectrum, chart the "
@@ -41,7 +39,7 @@ def with_scene(given: argparse.Namespace) -> argparse.Namespace:
         taken |= NAMING
     if STARTING & taken:
         taken |= STARTING
-    asked: dict[str, Any] = {name: table[name] if name in REPEATED else _text(table[name])
+    asked: dict[str, Any] = {name: table[name] if name in REPEATED else text_of(table[name])
                              for name in TEXTS if name in table and name in options.keys() | BODY
                              and name not in taken}
     if "equilibrium" in table and not taken & NAMING:
@@ -58,11 +56,12 @@ def with_scene(given: argparse.Namespace) -> argparse.Namespace:
         *(f"{name}={x}" for name, x in values.items()), *given.values]})
 
 
-def _table(place: str) -> Mapping[str, Any]:
-    """The entries of FILE#NAME, its rotors as a tensor and a momentum."""
-    scene = scene_of_file(place)
-    family = {} if scene.family is None else {"equilibrium": scene.family.asked_for}
-    return {**_without_rotors(scene), **family}
+def asked_of(given: argparse.Namespace, names: Collection[str]) -> Asked:
+    """What the options say, with the body that the names belong to."""
+    texts = {entry.name: getattr(given, entry.name, None) for entry in fields(Asked)}
+    if texts["integrals"] is not None:
+        texts["integrals"] = tuple(texts["integrals"])
+    return Asked(**texts).of_body(names)
 
 
 def scene_of_file(place: str) -> SceneTable:
@@ -88,38 +87,9 @@ def scene_of_file(place: str) -> SceneTable:
         raise PublishedError(f"{path}: scene.{name}: {error}") from None
 
 
-def _without_rotors(scene: SceneTable) -> dict[str, Any]:
-    """The table, the body with its rotors as a tensor and a momentum, in orbit the free ones in U too."""
-    table = {name: value for name, value in scene.table.items() if name not in ("rotors", "lumped")}
-    if "rotors" in scene.table:
-        table["inertia"] = [[str(x) for x in row] for row in scene.body.tensor.tolist()]
-        table["gyrostatic_momentum"] = list(map(str, scene.body.gyrostatic_momentum))
-        if "orbit" in table:                               # numbers of SI, as the tensor
-            table["orbit"] = {"rate": str(orbital_rate(scene.system))}
-            table["potential"] = _beside(scene, table["orbit"])
-    return table
-
-
-def _beside(scene: SceneTable, orbit: Mapping[str, str]) -> str:
-    """What acts beside the gravity gradient of the tensor, none if nothing does."""
-    whole, gradient = scene.potential, SceneTable({"orbit": orbit}).potential
-    assert whole is not None and gradient is not None
-    other = (whole.expression - gradient.expression).expand()
-    return NONE if other == 0 else str(other)
-
-
-def _text(value: Any) -> str:
-    """As an option has it; the rows of a tensor with ; between them."""
-    if isinstance(value, str):
-        return value
-    if isinstance(value, dict):
-        return ",".join(f"{name}={text}" for name, text in value.items())
-    return ";".join(map(_text, value)) if isinstance(value[0], list) else ",".join(map(str, value))
-
-
 def _names(texts: Iterable[Any]) -> set[str]:
     """What reads as a name in them."""
-    return {name for text in texts for name in names_in(_text(text))}
+    return {name for text in texts for name in names_in(text_of(text))}
 
 
 def _axes(given: argparse.Namespace) -> list[str]:

@@ -11,11 +11,11 @@ from ...errors import ValuesError
 from ...notation import symbol
 from ...plotting import draw_chart
 from ...printing.files import save_netcdf
+from ...questions.answers.equilibria import report_for
+from ...questions.given_numbers import numbers_of, one_spin
 from ...stability.criteria.number_notes import scene_note
-from ..answers.equilibria import report_for
-from ..options.options import axis_of, numbers_of, one_spin
-from ..options.scene_files import with_scene
-from ..options.scene_texts import asked_of
+from ..options.axis_option import axis_of
+from ..options.scene_files import asked_of, with_scene
 from ..output import PICTURES, Output, file_of, printed_look, save_picture
 
 DATA = (".nc", ".zarr")

@@ -1,24 +1,32 @@
 """gyrostat conditions: where each equilibrium exists, its two conditions, and what decides between them."""
 import argparse
+from collections.abc import Mapping, Sequence
 
+from sympy import Expr
+
+from ...algebra.rings.readable import readable
+from ...algebra.text.inputs import name_of
 from ...notation import symbol
-from ...parameters.stabilizing_set import inserted
-from ...printing.blocks import Heading
-from ...printing.formats.json_data import conditions_data, criterion_data, json_text, window_data
+from ...printing.blocks import Block, Display, Heading, sentence
+from ...printing.formats.article import article
+from ...printing.formats.json_data import json_text
 from ...printing.formats.tables import conditions_table
 from ...printing.formats.text import text
+from ...printing.results.beyond_reports import result_blocks
 from ...printing.results.document import conditions_blocks
 from ...printing.results.inequalities import criterion_blocks
 from ...printing.symbols import occurring, symbol_rows
+from ...questions.answers.between_criteria import between_blocks
+from ...questions.answers.condition_list import condition_list
+from ...questions.answers.energy_sink import sink_of
+from ...questions.answers.equilibria import labels_of, some
+from ...questions.answers.solve_for import solutions_data, solved
+from ...questions.given_numbers import numbers_of
+from ...questions.scene_texts import Asked, scene_of
 from ...stability.criteria.number_notes import scene_note
-from ..answers.between_criteria import between, between_blocks
-from ..answers.energy_sink import sink_of
-from ..answers.equilibria import known_names, labels_of, of_each, reports_of, some
-from ..answers.solve_for import run as solve
+from ...stability.report.report import Report
 from ..options.latex_options import paper_of
-from ..options.options import numbers_of
-from ..options.scene_files import with_scene
-from ..options.scene_texts import asked_of, scene_of
+from ..options.scene_files import asked_of, scene_of_file, with_scene
 from ..output import Output
 
 
@@ -26,37 +34,55 @@ def run(given: argparse.Namespace, out: Output) -> int:
     """Write the conditions; 0."""
     given = with_scene(given)
     numbers = numbers_of(given.values)
-    sink = sink_of(given, numbers)
+    dampings = given.platform_damping, given.rotor_damping
+    sink = None if dampings == (None, None) else sink_of(given.scene and scene_of_file(given.scene),
+                                                         dampings, numbers)
     asked = asked_of(given, {*numbers, given.solve_for})
     labels, others = labels_of(asked, given.equilibrium, numbers)
     some(labels, others)
     out.noted(scene_note(scene_of(asked), {symbol(name): x for name, x in numbers.items()}))
     if given.solve_for:
-        return solve(given, asked, labels, numbers, out)
-    reports, missing = reports_of(asked, labels, numbers)
-    if numbers:
-        known_names(asked, reports, numbers)
-        by_label = {report.equilibrium.label: report for report in reports}
-        reports, without = of_each(list(by_label), lambda label: [inserted(by_label[label], numbers)])
-        missing = missing + without
-    missing = missing + others
-    after = [block for m in missing for block in m.blocks()]
+        return _solve(given, asked, labels, numbers, out)
+    found = condition_list(asked, labels, others, numbers, given.windows, sink)
+    after = [block for m in found.missing for block in m.blocks()]
     if sink:
         after += [Heading("Energy sink"), *criterion_blocks("Stable, to first order in weak dampers", sink,
                                                              symbol("k3"), "energy sink")]
-    held = {r.equilibrium.label: found for r in reports if (found := between(r))} if given.windows else {}
-    for label, found in held.items():
-        after += [Heading(f"{label}, between its two conditions"), *between_blocks(found)]
+    for label, held in found.between.items():
+        after += [Heading(f"{label}, between its two conditions"), *between_blocks(held)]
     if given.format == "json":
-        data = {"equilibria": [*map(conditions_data, reports), *(m.data() for m in missing)]}
-        windows = {label: {"open": found} if isinstance(found, str) else window_data(found)
-                   for label, found in held.items()}
-        out(json_text(data | ({"windows": windows} if held else {})
-                      | ({"energy_sink": criterion_data(sink)} if sink else {})))
+        out(json_text(found.data()))
     elif given.format == "latex":
-        out(conditions_table(reports, paper_of(given), after))
+        out(conditions_table(found.reports, paper_of(given), after))
     else:
-        blocks = [block for report in reports for block in conditions_blocks(report)]
-        symbols = symbol_rows(reports[0].equilibrium.system, occurring(blocks))
+        blocks = [block for report in found.reports for block in conditions_blocks(report)]
+        symbols = symbol_rows(found.reports[0].equilibrium.system, occurring(blocks))
         out(text([*blocks, *after, symbols], out.width))
     return 0
+
+
+def _solve(given: argparse.Namespace, asked: Asked, labels: Sequence[str], numbers: Mapping[str, Expr],
+           out: Output) -> int:
+    """Write the sets of --solve-for; 0."""
+    name = name_of(given.solve_for) or given.solve_for
+    found, missing = solved(asked, labels, name, numbers)
+    if given.format == "json":
+        out(json_text(solutions_data(found, missing)))
+        return 0
+    blocks: list[Block] = []
+    for label, report, solution in found:
+        blocks += [Heading(label), *_family(report), *result_blocks(solution)]
+    blocks += [block for m in missing for block in m.blocks()]
+    if given.format == "latex":
+        title = f"Values of {name} that stabilise".replace("_", r"\_")
+        out(article(title, blocks, paper_of(given)))
+    else:
+        out(text(blocks, out.width))
+    return 0
+
+
+def _family(report: Report) -> list[Block]:
+    """What the family expresses by the other names."""
+    eq = report.equilibrium
+    return [block for name, value in eq.relations[-1:]
+            for block in (sentence("On the family:"), Display(name, readable(value), eq.at))]

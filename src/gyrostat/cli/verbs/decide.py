@@ -11,16 +11,16 @@ from ...printing.formats.text import text
 from ...printing.results.decision import damped_block, decision_blocks, note_blocks, reason_block
 from ...printing.results.interval_ends import number as rounded
 from ...printing.results.normal_form import form_blocks, window_blocks
+from ...questions.answers.answer_list import answers_data, note_once
+from ...questions.answers.answers import Answer, answers_at, normal_form_of
+from ...questions.answers.arcs import arcs_at, arcs_blocks, arcs_data
+from ...questions.answers.equilibria import Missing
+from ...questions.given_numbers import numbers_of
+from ...questions.scene_texts import scene_of
 from ...stability.criteria.number_notes import scene_note
 from ...stability.normal_forms.d4_along_family import Window
-from ..answers.answer_list import answers_data, note_once
-from ..answers.answers import Answer, answers_at, normal_form_of
-from ..answers.arcs import arcs_at, arcs_blocks, arcs_data
-from ..answers.equilibria import Missing
 from ..batch.batch import run as each
-from ..options.options import numbers_of
-from ..options.scene_files import with_scene
-from ..options.scene_texts import asked_of, scene_of
+from ..options.scene_files import asked_of, with_scene
 from ..output import Output
 
 LONG = 200                                                 # characters that nobody reads

@@ -21,11 +21,11 @@ from ...plotting import animate_top, draw_librations, draw_momentum_sphere, draw
 from ...plotting.globe import curve_on, dots_on, towards
 from ...plotting.looks import BLUE, DARK, INK, axis, label, legend, named
 from ...printing.files import save_netcdf
+from ...questions.scene_texts import pointing_of
 from ...trajectories import Motion
 from ...trajectories.columns import columns, dataset, turns_of
-from ..answers.motion_options import motion_of, times_of
+from ..options.motion_options import motion_of, times_of
 from ..options.scene_files import with_scene
-from ..options.scene_texts import pointing_of
 from ..output import FILMS, PICTURES, Output, file_of, printed_look, save_picture
 
 KINDS = ("a table, motion.csv; data, motion.nc; a picture, motion.png, .pdf or .svg; "

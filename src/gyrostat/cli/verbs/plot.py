@@ -12,12 +12,13 @@ from ...errors import ValuesError
 from ...mechanics.families.scene_tables import NONE
 from ...mechanics.scenes.system import System
 from ...notation import symbol
+from ...questions.answers.equilibria import report_for
+from ...questions.given_numbers import numbers_of, one_spin
+from ...questions.scene_texts import Asked, scene_of
 from ...stability.criteria.number_notes import scene_note
-from ..answers.equilibria import report_for
-from ..answers.motion_options import motion_of, times_of
-from ..options.options import axis_of, numbers_of, one_spin
-from ..options.scene_files import with_scene
-from ..options.scene_texts import Asked, asked_of, scene_of, whole_scene
+from ..options.axis_option import axis_of
+from ..options.motion_options import motion_of, times_of, whole_scene
+from ..options.scene_files import asked_of, with_scene
 from ..output import PICTURES, Output, file_of, printed_look, save_picture
 from .motion import POINTS, SPACE
 

@@ -7,13 +7,12 @@ from ...printing.blocks import Block
 from ...printing.formats.text import text
 from ...printing.results.decision import damped_block, decision_blocks
 from ...printing.results.document import report_blocks, whole_blocks
+from ...questions.answers.report_list import report_list
+from ...questions.given_numbers import numbers_of
 from ...stability.criteria.number_notes import scene_note
 from ...stability.decision import Decision
 from ...stability.report.report import Report
-from ..answers.equilibria import both_verdicts, enough, its_own, known_names, labels_of, of_each, reports_of
-from ..options.options import numbers_of
-from ..options.scene_files import with_scene
-from ..options.scene_texts import asked_of, scene_of
+from ..options.scene_files import asked_of, with_scene
 from ..output import Output
 
 TITLE = "Equations of motion of a gyrostat"
@@ -23,38 +22,24 @@ def run(given: argparse.Namespace, out: Output) -> int:
     """Write the report; 0."""
     given = with_scene(given)
     numbers = numbers_of(given.values)
-    asked = asked_of(given, numbers)
-    scene = scene_of(asked)
-    labels, others = labels_of(asked, given.equilibrium, numbers)
-    reports, missing = reports_of(asked, labels, numbers)
-    decisions: dict[str, tuple[Decision, Decision]] = {}
-    if numbers:
-        known_names(asked, reports, numbers)
-    if numbers and reports:
-        decided = {report.equilibrium.label: report
-                   for report, whole in zip(reports, enough(reports, numbers)) if whole}
-        found, undecided = of_each(list(decided), lambda label: [
-            (label, both_verdicts(decided[label], its_own(decided[label], numbers)))])
-        decisions, missing = dict(found), missing + undecided
-    if not decisions:
-        out.noted(scene_note(scene, {symbol(name): x for name, x in numbers.items()}))
-    missing = missing + others
-    after = [block for m in missing for block in m.blocks()]
+    found = report_list(asked_of(given, numbers), given.equilibrium, numbers)
+    if not found.decisions:
+        out.noted(scene_note(found.scene, {symbol(name): x for name, x in numbers.items()}))
     if given.format == "json":
-        write = loaded("printing.formats.json_data:reports_text")
-        out(write(scene, reports, decisions, [m.data() for m in missing]))
+        out(loaded("printing.formats.json_data:json_text")(found.data()))
         return 0
-    decided_blocks = [_blocks(report, decisions.get(report.equilibrium.label)) for report in reports]
+    after = [block for m in found.missing for block in m.blocks()]
+    decided = [_blocks(report, found.decisions.get(report.equilibrium.label)) for report in found.reports]
     if given.format == "latex":
         paper = loaded("cli.options.latex_options:paper_of")(given)
-        article = loaded("printing.formats.article:" + ("document" if reports else "article"))
-        out(article(reports, decided_blocks, paper, after) if reports
-            else article(TITLE, whole_blocks(scene, after), paper))
+        article = loaded("printing.formats.article:" + ("document" if found.reports else "article"))
+        out(article(found.reports, decided, paper, after) if found.reports
+            else article(TITLE, whole_blocks(found.scene, after), paper))
     else:
         blocks: list[Block] = []
-        for report, its in zip(reports, decided_blocks):
+        for report, its in zip(found.reports, decided):
             blocks += report_blocks(report) + its
-        out(text(whole_blocks(scene, blocks + after), out.width))
+        out(text(whole_blocks(found.scene, blocks + after), out.width))
     return 0
 
 

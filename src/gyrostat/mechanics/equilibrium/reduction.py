@@ -40,7 +40,7 @@ class Reduction(Shown, Stored):
     Examples
     --------
     >>> import gyrostat as gs
-    >>> gs.reduce(gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())).rate
+    >>> gs.mechanics.reduce(gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())).rate
     (-k3*p_psi + p_phi)/(I1*(1 - k3**2))
     """
 
@@ -80,7 +80,8 @@ class Reduction(Shown, Stored):
         Examples
         --------
         >>> import gyrostat as gs
-        >>> gs.reduce(gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())).effective_potential()
+        >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
+        >>> gs.mechanics.reduce(top).effective_potential()
         k3*m0 + (-l + p_psi)**2/(2*I3) + (-k3*p_psi + p_phi)**2/(2*I1*(1 - k3**2))
         """
         return self.axial + self._field(None) + self.twist * self.rate / 2
@@ -105,7 +106,7 @@ class Reduction(Shown, Stored):
         Examples
         --------
         >>> import gyrostat as gs
-        >>> gs.reduce(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())).precession()
+        >>> gs.mechanics.reduce(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())).precession()
         I1*k3*omega**2 + dU - omega*p_psi
         """
         return symbol("dU") + self._at_rate(derivatives(self.twist * self.rate / 2, [K3])[0])
@@ -123,7 +124,7 @@ class Reduction(Shown, Stored):
         Examples
         --------
         >>> import gyrostat as gs
-        >>> gs.reduce(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())).restoring()
+        >>> gs.mechanics.reduce(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())).restoring()
         3*I1**2*k3**2*omega**2 + I1**2*omega**2 - I1*d2U*k3**2 + I1*d2U - 4*I1*k3*omega*p_psi + p_psi**2
         """
         return self._at_rate(self.system.body.moments[0] * self.across
@@ -172,7 +173,7 @@ def reduce(scene: System) -> Reduction:
     Examples
     --------
     >>> import gyrostat as gs
-    >>> gs.reduce(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())).twist
+    >>> gs.mechanics.reduce(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())).twist
     -k3*p_psi + p_phi
     """
     in_one_direction(scene.potential, "reduce")

@@ -4,26 +4,29 @@ axis is the third.
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import combinations
+from typing import TYPE_CHECKING
 
 from sympy import Expr, ImmutableMatrix, S, sqrt
 
+from ..._lazy import loaded
 from ...algebra.reals.exact import Point, evaluate, sign_of_constant
 from ...algebra.solving.margins import Signs
 from ...errors import EquilibriumError
 from ...notation import jet
-from ..scenes.functions_on_sphere import lowest, vanishes
 from ..scenes.kind import Kind
 from ..scenes.system import System, at_numbers, names_of_scene
 from .derived_once import once
 from .equilibrium import Equilibrium
-from .recognition import Recognition, Vector, recognise
+
+if TYPE_CHECKING:
+    from .recognition import Recognition, Vector
 
 
 @dataclass(frozen=True)
 class Seen:
     """An equilibrium of a scene that was recognised, in the standard axes."""
 
-    recognition: Recognition
+    recognition: "Recognition"
     equilibrium: Equilibrium
     where: str = ""
 
@@ -92,11 +95,13 @@ def _turned(eq: Equilibrium, point: Sequence[Expr], where: str = "") -> Seen | N
 
     As k̇ = 0, ω = omega k with omega = ω·k; its relations and its domain hold as they do in the scene.
     """
-    if not (found := recognise(eq.system)):
+    found: Recognition | None = loaded("mechanics.equilibrium.recognition:recognise")(eq.system)
+    if not found:
         return None
+    lowest = loaded("mechanics.scenes.functions_on_sphere:lowest")
     pi, k, moments = point[:3], point[3:], found.standard.body.moments
     k3, across = found.along(k), lowest(1 - found.along(k) ** 2)
-    if vanishes(across):
+    if loaded("mechanics.scenes.functions_on_sphere:vanishes")(across):
         place: Vector = (S.Zero, S.Zero, found.along(pi), S.Zero, S.Zero, S(sign_of_constant(k3)))
     elif across.free_symbols and not _inclined(across, eq):
         return None

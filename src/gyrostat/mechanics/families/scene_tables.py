@@ -4,9 +4,10 @@ from dataclasses import dataclass, field
 from difflib import get_close_matches
 from importlib.resources.abc import Traversable
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from ..._cached import cached_property
+from ..._lazy import loaded
 from ...algebra.text.grammar import parse
 from ...algebra.text.inputs import Written, is_name
 from ...algebra.text.quantities import not_mixed
@@ -17,11 +18,12 @@ from ..scenes.body import Gyrostat
 from ..scenes.coupled import CoupledPotential
 from ..scenes.entered_potential import axial_potential, general_potential
 from ..scenes.potential import Potential
-from ..scenes.rotors import Rotor, gyrostat_with_rotors
 from ..scenes.system import System, assemble
-from .circular_orbit import circular_orbit
 from .family import Family
 from .named_families import called, in_words, known_families
+
+if TYPE_CHECKING:
+    from ..scenes.rotors import Rotor
 
 LISTS = ("inertia", "gyrostatic_momentum", "point", "state", "release", "integrals")    # of texts or numbers
 # of each rotor, texts or numbers but for the axis
@@ -58,9 +60,10 @@ class SceneTable:
     def entry(self, name: str, value: Any) -> Any:
         """What is kept of an entry of the file, its numbers as texts."""
         if name not in KEYS:
-            near = get_close_matches(name, sorted(KEYS), 1)
-            raise PublishedError(f"a scene has no entry {name}: {f'did you mean {near[0]}? ' if near else ''}"
-                                 f"its entries are {', '.join(sorted(KEYS))}")
+            near = get_close_matches(str(name), sorted(KEYS), 1)
+            meant = f"did you mean {near[0]}? " if near else ""
+            raise PublishedError(f"a scene has no entry {brief(str(name))[1:-1]}: {meant}its entries are "
+                                 f"{', '.join(sorted(KEYS))}")
         if name in _READ:
             return _READ[name](value)
         if name == "lumped":
@@ -88,12 +91,14 @@ class SceneTable:
                    *self.table.get("values", {}).items()])
         if not rotors:
             return Gyrostat(inertia, momentum)
-        return gyrostat_with_rotors(inertia, self.rotors, lumped=self.table["lumped"])
+        make = loaded("mechanics.scenes.rotors:gyrostat_with_rotors")
+        return make(inertia, self.rotors, lumped=self.table["lumped"])
 
     @cached_property
-    def rotors(self) -> tuple[Rotor, ...]:
+    def rotors(self) -> "tuple[Rotor, ...]":
         """Those that the table has."""
-        return tuple(Rotor(**rotor) for rotor in self.table.get("rotors", []))
+        rotors = self.table.get("rotors", [])
+        return tuple(loaded("mechanics.scenes.rotors:Rotor")(**rotor) for rotor in rotors)
 
     @cached_property
     def potential(self) -> Potential | CoupledPotential | None:
@@ -107,7 +112,8 @@ class SceneTable:
                 raise PublishedError(f"potential = {bare} is unspecified, and in orbit the gravity gradient "
                                      "acts: leave it out, or write an expression in n1, n2, n3, r1, r2, r3")
             other = 0 if bare == NONE else parse(text)
-            return circular_orbit(**self.table["orbit"], potential=other, rotors=self.rotors)
+            make = loaded("mechanics.families.circular_orbit:circular_orbit")
+            return make(**self.table["orbit"], potential=other, rotors=self.rotors)
         if bare == NONE:
             return None
         if bare in (AXIAL, GENERAL):
@@ -216,7 +222,7 @@ def _values(value: Any) -> dict[str, str]:
         raise PublishedError(f'values = {brief(value)}: write a table, values = {{ I1 = 1.6, l = "1/3" }}')
     texts = {name: _text(number) for name, number in value.items()}
     for name, text in texts.items():
-        if not is_name(name):
+        if not isinstance(name, str) or not is_name(name):
             raise PublishedError(f"values has {brief(name)}, which is not a name: letters, digits and _ make "
                                  "one")
         if text is None:

@@ -152,21 +152,25 @@ def double(number: Expr) -> float | None:
     return value if math.isfinite(value) else None
 
 
-def reports_text(scene: System, reports: Sequence[Report],
-                 decisions: Mapping[str, tuple[Decision, Decision]], missing: list[Any]) -> str:
-    """The document of a scene, with its reports, and their decisions where there are numbers."""
+def reports_data(scene: System, reports: Sequence[Report],
+                 decisions: Mapping[str, tuple[Decision, Decision]]) -> dict[str, Any]:
+    """A scene with its reports, and their decisions where there are numbers."""
     equilibria = []
     for report in reports:
         both = decisions.get(report.equilibrium.label)
         decided = both and {"decision": decision_data(both[0]), "damped_decision": damped_data(both[1])}
         equilibria.append(report_data(report) | (decided or {}))
-    return json_text(scene_data(scene) | {"equilibria": equilibria + missing})
+    return scene_data(scene) | {"equilibria": equilibria}
+
+
+def document(data: Mapping[str, Any]) -> dict[str, Any]:
+    """A document: its format first."""
+    return {"format": DOCUMENT_FORMAT, **data}
 
 
 def json_text(data: Mapping[str, Any]) -> str:
     """A document that every reader reads: its format first, and neither NaN nor Infinity."""
-    document = {"format": DOCUMENT_FORMAT, **data}
-    return json.dumps(document, indent=2, ensure_ascii=False, allow_nan=False) + "\n"
+    return json.dumps(document(data), indent=2, ensure_ascii=False, allow_nan=False) + "\n"
 
 
 def strings(expressions: Any) -> list[str]:

@@ -3,6 +3,7 @@ from collections.abc import Iterable, Sequence
 
 from sympy import Expr, Matrix, S
 
+from ..._lazy import loaded
 from ...algebra.rings.polynomials import lowest_terms
 from ...algebra.solving.margins import Signs
 from ...arguments import checked
@@ -10,7 +11,6 @@ from ...mechanics.equilibrium.derivation_ring import rows_at_point, signs_over
 from ...mechanics.equilibrium.equilibrium import Equilibrium
 from ...mechanics.scenes.kind import Kind
 from ..notion import Notion
-from .amended_form import amended_form, dot
 from .conditions import Criterion, condition_of
 from .energy_casimir import SecondVariation, augmented_hessian, blocks
 from .implication import Item, eliminate, merge, reduced
@@ -163,10 +163,11 @@ def across(variation: SecondVariation) -> list[Minor]:
         return []
     if len(blocks(variation.matrix.tolist())) > 1:
         return []
-    omega = dot(k, body.inverse * Matrix(eq.point[:3]))
+    omega = loaded("stability.criteria.amended_form:dot")(k, body.inverse * Matrix(eq.point[:3]))
     gradient = [eq.at_point(d) for d in system.potential.gradient()]
     hessian = [row[3:] for row in rows_at_point(eq, system.energy_hessian)[3:]]
-    form = amended_form(body.tensor.tolist(), body.gyrostatic_momentum, gradient, hessian, k, omega)
+    form = loaded("stability.criteria.amended_form:amended_form")(
+        body.tensor.tolist(), body.gyrostatic_momentum, gradient, hessian, k, omega)
     return [("t", 1, lowest_terms(form.trace)), ("s", 2, lowest_terms(form.determinant))]
 
 

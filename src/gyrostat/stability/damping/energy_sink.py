@@ -58,7 +58,7 @@ def energy_sink_criterion(eq: Equilibrium, rotor: Rotor, *, platform_damping: An
     >>> body = gs.gyrostat_with_rotors(["1000 kg m^2", "1000 kg m^2", "200 kg m^2"], [wheel], lumped=True)
     >>> despun = gs.equilibrium(gs.assemble(body), (0, 0, 0))
     >>> c_p, c_r = gs.symbol("c_p"), gs.symbol("c_r")
-    >>> print(gs.energy_sink_criterion(despun, wheel, platform_damping=c_p, rotor_damping=c_r))
+    >>> print(gs.derivation.energy_sink_criterion(despun, wheel, platform_damping=c_p, rotor_damping=c_r))
     c_p > 24 c_r
     """
     damping = [exact_expression(c, name) for name, c in (("platform_damping", platform_damping),

@@ -1,18 +1,21 @@
-"""What is asked of a scene: the texts of its options, and the body and the field that they name."""
-import argparse
-from collections.abc import Collection, Sequence
-from dataclasses import dataclass, fields, replace
+"""What is asked of a scene, as texts: the body and the field that they name."""
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import dataclass, replace
 from functools import lru_cache
+from typing import Any
 
 from sympy import Expr
 
-from ...errors import ValuesError, brief
-from ...mechanics.equilibrium.unit_vectors import direction_in
-from ...mechanics.families.scene_tables import AXIAL, NONE, SceneTable
-from ...mechanics.scenes.system import System
-from ...stability.criteria.numbers_asked import names_in
+from .._lazy import loaded
+from ..errors import ValuesError, brief
+from ..mechanics.equilibrium.unit_vectors import direction_in
+from ..mechanics.families.scene_tables import AXIAL, NONE, SceneTable
+from ..mechanics.scenes.system import System
 
 ROTOR = ("l1", "l2", "l3")
+# what a file means where it does not say it, as for a formula
+BODY: dict[str, Any] = {"inertia": ["I1", "I2", "I3"], "gyrostatic_momentum": ["0", "0", "0"],
+                        "potential": NONE}
 
 
 @dataclass(frozen=True)
@@ -71,14 +74,6 @@ class Asked:
         return replace(self, potential=potential, inertia=inertia, gyrostatic_momentum=momentum)
 
 
-def asked_of(given: argparse.Namespace, names: Collection[str]) -> Asked:
-    """What the options say, with the body that the names belong to."""
-    texts = {entry.name: getattr(given, entry.name, None) for entry in fields(Asked)}
-    if texts["integrals"] is not None:
-        texts["integrals"] = tuple(texts["integrals"])
-    return Asked(**texts).of_body(names)
-
-
 @lru_cache(maxsize=64)
 def scene_of(asked: Asked) -> System:
     """The scene of a body in a field."""
@@ -110,27 +105,6 @@ def pointing_of(text: str | None) -> Sequence[int]:
     return axes
 
 
-def whole_scene(given: argparse.Namespace, names: Collection[str]) -> System:
-    """The scene of a motion: every name in it has a number."""
-    if given.potential is None and given.orbit is None:
-        raise ValuesError('--potential is missing, and an unspecified U moves nothing: write --potential '
-                          '"m0*k3", or none for a free body')
-    scene = scene_of(asked_of(given, names))
-    body, potential = scene.body, scene.potential
-    if potential is not None and not potential.given:
-        raise ValuesError(f'--potential is {potential.expression}, and an unspecified U moves nothing: write '
-                          '--potential "m0*k3", or none for a free body')
-    parameters = potential.parameters if potential else ()
-    if missing := [name for name in names_in([*body.entries, *body.gyrostatic_momentum, *parameters])
-                   if name not in names]:
-        moments, momentum = (f"({', '.join(map(str, vector))})"
-                             for vector in (body.entries, body.gyrostatic_momentum))
-        raise ValuesError(f"--set gives no number for {', '.join(missing)}, and the body has the moments "
-                          f"{moments}, the rotor {momentum}: "
-                          f"add --set {' '.join(f'{name}=…' for name in missing)}")
-    return scene
-
-
 def one_for_each(option: str, text: str, scene: System) -> Sequence[str]:
     """The texts of a point or a state, one for each coordinate."""
     texts, names = text.split(","), [str(s) for s in scene.space.coordinates]
@@ -138,3 +112,40 @@ def one_for_each(option: str, text: str, scene: System) -> Sequence[str]:
         raise ValuesError(f"{option} {brief(text)[1:-1]} has {len(texts)} numbers, the body {len(names)} "
                           f"coordinates: give {','.join(names)}")
     return texts
+
+
+def entries_of(scene: SceneTable) -> dict[str, Any]:
+    """The entries, and what is meant where one is left out; the rotors as a tensor and a momentum."""
+    family = {} if scene.family is None else {"equilibrium": scene.family.asked_for}
+    return {**BODY, **_without_rotors(scene), **family}
+
+
+def text_of(value: Any) -> str:
+    """As an option has it; the rows of a tensor with ; between them."""
+    if isinstance(value, str):
+        return value
+    if isinstance(value, dict):
+        return ",".join(f"{name}={text}" for name, text in value.items())
+    rows = [text_of(row) if isinstance(row, list) else str(row) for row in value]
+    return (";" if any(isinstance(row, list) for row in value) else ",").join(rows)
+
+
+def _without_rotors(scene: SceneTable) -> dict[str, Any]:
+    """The table, the body with its rotors as a tensor and a momentum, in orbit the free ones in U too."""
+    table = {name: value for name, value in scene.table.items() if name not in ("rotors", "lumped")}
+    if "rotors" in scene.table:
+        table["inertia"] = [[str(x) for x in row] for row in scene.body.tensor.tolist()]
+        table["gyrostatic_momentum"] = list(map(str, scene.body.gyrostatic_momentum))
+        if "orbit" in table:                               # numbers of SI, as the tensor
+            rate = loaded("mechanics.families.circular_orbit:orbital_rate")(scene.system)
+            table["orbit"] = {"rate": str(rate)}
+            table["potential"] = _beside(scene, table["orbit"])
+    return table
+
+
+def _beside(scene: SceneTable, orbit: Mapping[str, str]) -> str:
+    """What acts beside the gravity gradient of the tensor, none if nothing does."""
+    whole, gradient = scene.potential, SceneTable({"orbit": orbit}).potential
+    assert whole is not None and gradient is not None
+    other = (whole.expression - gradient.expression).expand()
+    return NONE if other == 0 else str(other)

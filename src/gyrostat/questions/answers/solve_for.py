@@ -1,60 +1,33 @@
-"""gyrostat conditions --solve-for NAME.
-
-The values of one parameter for which an equilibrium exists and is stable.
-"""
-import argparse
+"""The values of one parameter for which an equilibrium exists and is stable."""
 import contextlib
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 from sympy import Expr
 
-from ...algebra.rings.readable import readable
-from ...algebra.text.inputs import name_of
 from ...errors import EquilibriumError, GyrostatError, ScopeError
 from ...mechanics.families.named_families import FAMILIES
 from ...parameters.sets import Interval, Solution
 from ...parameters.stabilizing_set import stabilizing_set
-from ...printing.blocks import Block, Display, Heading, sentence
-from ...printing.formats.article import article
-from ...printing.formats.json_data import json_text, strings
-from ...printing.formats.text import text
-from ...printing.results.beyond_reports import result_blocks
+from ...printing.formats.json_data import strings
 from ...stability.report.analysis import analyze
 from ...stability.report.report import Report
-from ..options.latex_options import paper_of
-from ..options.scene_texts import Asked, scene_of
-from ..output import Output
-from .equilibria import of_each, report_at
+from ..scene_texts import Asked, scene_of
+from .equilibria import Missing, of_each, report_at
+
+Solved = tuple[str, Report, Solution]
 
 
-def run(given: argparse.Namespace, asked: Asked, labels: Sequence[str], numbers: Mapping[str, Expr],
-        out: Output) -> int:
-    """Write the sets; 0."""
-    name = name_of(given.solve_for) or given.solve_for
-    found, missing = of_each(labels, lambda label: [(label, *_solved(asked, label, name, numbers))])
-    if given.format == "json":
-        out(json_text({"equilibria": [{"label": label} | solution_data(solution)
-                                      for label, _, solution in found]
-                       + [m.data() for m in missing]}))
-        return 0
-    blocks: list[Block] = []
-    for label, report, solution in found:
-        blocks += [Heading(label), *_family(report), *result_blocks(solution)]
-    blocks += [block for m in missing for block in m.blocks()]
-    if given.format == "latex":
-        title = f"Values of {name} that stabilise".replace("_", r"\_")
-        out(article(title, blocks, paper_of(given)))
-    else:
-        out(text(blocks, out.width))
-    return 0
+def solved(asked: Asked, labels: Sequence[str], name: str,
+           numbers: Mapping[str, Expr]) -> tuple[list[Solved], list[Missing]]:
+    """The set of each equilibrium with its label and its report, and why there is none of the others."""
+    return of_each(labels, lambda label: [(label, *_solved(asked, label, name, numbers))])
 
 
-def _family(report: Report) -> list[Block]:
-    """What the family expresses by the other names."""
-    eq = report.equilibrium
-    return [block for name, value in eq.relations[-1:]
-            for block in (sentence("On the family:"), Display(name, readable(value), eq.at))]
+def solutions_data(found: Sequence[Solved], missing: Sequence[Missing]) -> dict[str, Any]:
+    """The sets as data for JSON."""
+    return {"equilibria": [*({"label": label} | _data(solution) for label, _, solution in found),
+                           *(m.data() for m in missing)]}
 
 
 def _solved(asked: Asked, label: str, name: str,
@@ -81,7 +54,7 @@ def _forms(asked: Asked, label: str, name: str, numbers: Mapping[str, Expr]) -> 
                 yield analyze(FAMILIES[label].of(scene, eliminate=eliminated))
 
 
-def solution_data(solution: Solution) -> dict[str, Any]:
+def _data(solution: Solution) -> dict[str, Any]:
     """The set as data."""
     return {"name": solution.name, "parts": [{
         "meaning": part.meaning, "margin": str(part.margin), "cases": [{

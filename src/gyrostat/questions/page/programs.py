@@ -9,13 +9,13 @@ from typing import Any
 
 from sympy import Expr, NumberSymbol, Pow, Rational, Symbol, exp, log
 
-from gyrostat.algebra.text.numbers import exact_number, shown
-from gyrostat.charts.signs.straightline import Axes, program_of
-from gyrostat.errors import GyrostatError, ScopeError
-from gyrostat.mechanics.equilibrium.unit_vectors import in_any_direction
-from gyrostat.notation import symbol
-from gyrostat.stability.criteria.conditions import Criterion
-from gyrostat.stability.report.report import Report
+from ...algebra.text.numbers import exact_number, shown
+from ...charts.signs.straightline import Axes, program_of
+from ...errors import GyrostatError, ScopeError
+from ...mechanics.equilibrium.unit_vectors import in_any_direction
+from ...notation import symbol
+from ...stability.criteria.conditions import Criterion
+from ...stability.report.report import Report
 
 Data = dict[str, Any]
 
@@ -111,7 +111,7 @@ def charted(report: Report, axes: Sequence[str]) -> Data:
                  "necessary": _criterion(report.necessary, writer)}
     except GyrostatError as error:
         return {"why": str(error)}
-    return {"steps": list(writer.places), "names": _names(writer), **found}
+    return {"steps": _steps(writer), "names": _names(writer), **found}
 
 
 def moving(report: Report) -> Data:
@@ -126,7 +126,7 @@ def moving(report: Report) -> Data:
     eq = report.equilibrium
     coordinates = [x.name for x in eq.system.space.coordinates]
     try:
-        if eq.system.potential is not None and not eq.system.potential.given:
+        if eq.system.unspecified:
             raise ScopeError("a motion needs a field that is given: type U as an expression, such as m0*k3")
         rates = steps_to(eq.system.vector_field())
         state = steps_to(map(eq.insert, eq.point))       # a name of it may be that of a coordinate
@@ -140,7 +140,7 @@ def steps_to(expressions: Iterable[Expr]) -> Data:
     """The steps to some results."""
     writer = Writer({})
     results = [writer.write(e) for e in expressions]
-    return {"steps": list(writer.places), "names": _names(writer), "results": results}
+    return {"steps": _steps(writer), "names": _names(writer), "results": results}
 
 
 def _refuse(report: Report, axes: Sequence[str]) -> None:
@@ -180,6 +180,10 @@ def _criterion(criterion: Criterion, writer: Writer) -> list[list[Data]]:
     return [[{"margin": writer.write(c.margin), "strict": c.strict,
               "degenerate": [writer.write(e) for e in c.degenerate]} for c in alternative]
             for alternative in criterion.alternatives]
+
+
+def _steps(writer: Writer) -> list[list[Any]]:
+    return [list(step) for step in writer.places]
 
 
 def _names(writer: Writer) -> list[str]:

@@ -2,14 +2,14 @@
 from collections.abc import Mapping, Sequence
 
 from flint import fmpq, fmpq_poly
-from programs import Data, demands, expressions
 from sympy import Expr, Symbol
 
-from gyrostat.algebra.reals.exact import compiled
-from gyrostat.algebra.text.numbers import exact_number
-from gyrostat.notation import symbol
-from gyrostat.stability.criteria.truth import Relation, truth
-from gyrostat.stability.report.report import Report
+from ...algebra.reals.exact import compiled
+from ...algebra.text.numbers import exact_number
+from ...notation import symbol
+from ...stability.criteria.truth import Relation, truth
+from ...stability.report.report import Report
+from .programs import Data, demands, expressions
 
 LINES = 64                                             # each way
 

@@ -9,6 +9,7 @@ import pytest
 import session
 
 import gyrostat as gs
+from gyrostat.questions.page.chosen import chosen
 
 EXAMPLES = [example["scene"] for example in json.loads(
     (Path(session.__file__).parent / "examples.json").read_text(encoding="utf-8"))]
@@ -18,11 +19,7 @@ ENDS = ["1/20", "5"], ["-3", "3"]
 
 
 def asked(want, scene, *more):
-    return json.loads(session.answer(json.dumps({"want": want, "scene": scene, "more": more})))
-
-
-def chosen(scene):
-    return session.chosen(json.dumps({name: value for name, value in scene.items() if name != "values"}))
+    return gs.questions.show(scene, want, *more)
 
 
 def run(steps, numbers):

@@ -13,7 +13,7 @@ from ...mechanics.families.named_families import (
 )
 from ...mechanics.scenes.kind import Kind
 from ...mechanics.scenes.system import System
-from ..options.scene_texts import Asked, scene_of
+from ..scene_texts import Asked, scene_of
 
 CLAIMED = "E"                                          # of the point of --point
 

@@ -18,7 +18,7 @@ from ...stability.decision import Decision
 from ...stability.normal_forms.d4_along_family import Window
 from ...stability.normal_forms.normal_form import NormalForm
 from ...stability.report.report import Report
-from ..options.scene_texts import Asked, scene_of
+from ..scene_texts import Asked, scene_of
 from .equilibria import (
     AT_REST,
     Missing,

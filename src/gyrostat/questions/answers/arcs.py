@@ -17,7 +17,7 @@ from ...printing.formats.json_data import decision_data, number_data, strings
 from ...printing.results.beyond_reports import result_blocks
 from ...printing.results.decision import note_blocks
 from ...stability.criteria.number_notes import scene_note
-from ..options.scene_texts import Asked, scene_of
+from ..scene_texts import Asked, scene_of
 from .equilibrium_labels import named
 
 

@@ -1,6 +1,6 @@
 """The motion that options name, and its times."""
 import argparse
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from decimal import Context, Decimal
 
 import numpy as np
@@ -13,9 +13,12 @@ from ...mechanics.families.release import release
 from ...mechanics.scenes.kind import Kind
 from ...mechanics.scenes.system import System, at_numbers
 from ...notation import symbol
+from ...questions.given_numbers import numbers_of
+from ...questions.scene_texts import one_for_each, pointing_of, scene_of
+from ...stability.criteria.numbers_asked import names_in
 from ...trajectories import Motion, motion
-from ..options.options import LONGEST, numbers_of
-from ..options.scene_texts import one_for_each, pointing_of, whole_scene
+from .axis_option import LONGEST
+from .scene_files import asked_of
 
 LATEST = 10**300                                       # a time that is a double
 
@@ -30,6 +33,27 @@ def motion_of(given: argparse.Namespace) -> Motion:
     tolerance = None if given.tolerance is None else float(_positive("--tolerance", given.tolerance))
     return motion(scene, _state(given, scene, numbers), numbers, precision=given.precision,
                   tolerance=tolerance)
+
+
+def whole_scene(given: argparse.Namespace, names: Collection[str]) -> System:
+    """The scene of a motion: every name in it has a number."""
+    if given.potential is None and given.orbit is None:
+        raise ValuesError('--potential is missing, and an unspecified U moves nothing: write --potential '
+                          '"m0*k3", or none for a free body')
+    scene = scene_of(asked_of(given, names))
+    body, potential = scene.body, scene.potential
+    if potential is not None and not potential.given:
+        raise ValuesError(f'--potential is {potential.expression}, and an unspecified U moves nothing: write '
+                          '--potential "m0*k3", or none for a free body')
+    parameters = potential.parameters if potential else ()
+    if missing := [name for name in names_in([*body.entries, *body.gyrostatic_momentum, *parameters])
+                   if name not in names]:
+        moments, momentum = (f"({', '.join(map(str, vector))})"
+                             for vector in (body.entries, body.gyrostatic_momentum))
+        raise ValuesError(f"--set gives no number for {', '.join(missing)}, and the body has the moments "
+                          f"{moments}, the rotor {momentum}: "
+                          f"add --set {' '.join(f'{name}=…' for name in missing)}")
+    return scene
 
 
 def _state(given: argparse.Namespace, scene: System, numbers: Mapping[str, Expr]) -> Sequence[Expr]:

@@ -7,16 +7,16 @@ from typing import Any
 from sympy import ImmutableMatrix, S
 from sympy.printing.str import StrPrinter
 
-from gyrostat.algebra.text.grammar import parse
-from gyrostat.mechanics.equilibrium.unit_vectors import STEREOGRAPHIC
-from gyrostat.mechanics.families.circular_orbit import orbital_rate
-from gyrostat.mechanics.families.family import Family
-from gyrostat.mechanics.families.scene_tables import NONE
-from gyrostat.mechanics.scenes.system import System
-from gyrostat.printing.blocks import Block
-from gyrostat.printing.formats.article import article
-from gyrostat.printing.formats.latex_names import Paper
-from gyrostat.printing.symbols import occurring, symbol_rows
+from ...algebra.text.grammar import parse
+from ...mechanics.equilibrium.unit_vectors import STEREOGRAPHIC
+from ...mechanics.families.circular_orbit import orbital_rate
+from ...mechanics.families.family import Family
+from ...mechanics.families.scene_tables import NONE
+from ...mechanics.scenes.system import System
+from ...printing.blocks import Block
+from ...printing.formats.article import article
+from ...printing.formats.latex_names import Paper
+from ...printing.symbols import occurring, symbol_rows
 
 _PRINTER = StrPrinter({"sympy_integers": True})        # 1/3 is S(1)/3
 
@@ -50,8 +50,8 @@ def _toml(value: Any) -> str:
 def program(scene: System, family: Family | None, table: Mapping[str, Any], values: Mapping[str, str]) -> str:
     """A program that prints the conditions, and the verdict at the values; or all equilibria there."""
     body, potential = scene.body, scene.potential
-    tensor = isinstance(body.inertia, ImmutableMatrix)
-    parts = [f"gs.Gyrostat({_code(body.inertia.tolist() if tensor else list(body.moments))}, "
+    tensor = body.inertia.tolist() if isinstance(body.inertia, ImmutableMatrix) else list(body.moments)
+    parts = [f"gs.Gyrostat({_code(tensor)}, "
              f"{_code(list(body.gyrostatic_momentum))})"]
     names = set(body.symbols)
     if "orbit" in table:
@@ -98,8 +98,9 @@ def _maker(family: Family | None, table: Mapping[str, Any]) -> str:
     if family.made_with == "direction" and given:
         texts = table["direction"]
         given = [f"direction={'gs.stereographic()' if texts == [STEREOGRAPHIC] else _parsed(texts)}"]
-    given += [f"{name}={_quoted(value)}" for name, value in family.make.keywords.items()]
-    return f"gs.{family.make.args[1]}({', '.join(['scene', *given])})"
+    made: Any = family.make                            # its maker, called by name
+    given += [f"{name}={_quoted(value)}" for name, value in made.keywords.items()]
+    return f"gs.{made.args[1]}({', '.join(['scene', *given])})"
 
 
 def _parsed(texts: Sequence[str]) -> str:

@@ -4,14 +4,14 @@ from typing import Any
 
 from sympy import MatrixBase
 
-from gyrostat.mechanics.scenes.system import System
-from gyrostat.notation import NOTATION, symbol
-from gyrostat.printing.blocks import Block, Display, Heading, Rows
-from gyrostat.printing.formats.article import NARROW, inline
-from gyrostat.printing.formats.latex import display, tex
-from gyrostat.printing.formats.latex_names import Names
-from gyrostat.printing.formats.linebreaks import broken, width
-from gyrostat.printing.symbols import symbol_rows
+from ...mechanics.scenes.system import System
+from ...notation import NOTATION, symbol
+from ...printing.blocks import Block, Display, Heading, Rows
+from ...printing.formats.article import NARROW, inline
+from ...printing.formats.latex import display, tex
+from ...printing.formats.latex_names import Names
+from ...printing.formats.linebreaks import broken, width
+from ...printing.symbols import symbol_rows
 
 OWN = {"M": "length of the total angular momentum", "sigma": "multiplier of |k| = 1"}
 

@@ -19,8 +19,8 @@ from ...stability.criteria.numbers_asked import unknown
 from ...stability.decision import Decision, undecided
 from ...stability.report.analysis import analyze
 from ...stability.report.report import Report
-from ..options.options import spin_of
-from ..options.scene_texts import Asked, direction_of, one_for_each, pointing_of, scene_of
+from ..given_numbers import spin_of
+from ..scene_texts import Asked, direction_of, one_for_each, pointing_of, scene_of
 from .equilibrium_labels import CLAIMED, by_point, labels, labels_in_words, likely, named
 
 AT_REST = E3_AT_REST.label
