@@ -8,11 +8,12 @@ from typing import Any
 
 from sympy import Expr, Rational
 
+from ...errors import ExpressionError
 from . import bounded_parts, magnitudes
 from .bounded_parts import BITS, DEGREE, NESTING, TERMS, Cost, Part
 from .scanner import Scanner
 
-DEPTH, CALLS = 40, 30
+LENGTH, DEPTH, CALLS = 5000, 40, 30
 
 
 class Limited(Scanner):
@@ -21,6 +22,9 @@ class Limited(Scanner):
     TERMS = TERMS
 
     def __init__(self, text: str):
+        if len(text) > LENGTH:
+            raise ExpressionError(f"an expression of {len(text)} characters is longer than the {LENGTH} "
+                                  "allowed: shorten it")
         super().__init__(text)
         self.depth, self.calls = 0, 0
 

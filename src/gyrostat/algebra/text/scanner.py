@@ -5,7 +5,6 @@ from typing import NoReturn
 from ...errors import ExpressionError, brief
 from .spelling import NAME, RAISED, SIGNS, character, lowered, spelled
 
-LENGTH = 5000
 ROOT, PRIMES = "√", "'′″‴’"
 _TOKEN = re.compile(rf"\s*(?:(?P<number>(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)|(?P<name>{NAME})"
                     rf"|(?P<raised>{RAISED})|(?P<sign>\*\*|[-+*/(){''.join(SIGNS)}{ROOT}]))", re.ASCII)
@@ -21,9 +20,6 @@ class Scanner:
 
     def __init__(self, text: str):
         self.text, self.place = text, 0
-        if len(text) > LENGTH:
-            raise ExpressionError(f"an expression of {len(text)} characters is longer than the {LENGTH} "
-                                  "allowed: shorten it")
         self.tokens = [*self._plain(self._scan()), END]
 
     def _scan(self) -> list[Token]:

@@ -12,10 +12,10 @@ from ...printing.formats.article import article
 from ...printing.formats.json_data import json_text
 from ...printing.formats.tables import conditions_table
 from ...printing.formats.text import text
+from ...printing.nomenclature import occurring, symbol_rows
 from ...printing.results.beyond_reports import result_blocks
 from ...printing.results.document import conditions_blocks
 from ...printing.results.inequalities import criterion_blocks
-from ...printing.symbols import occurring, symbol_rows
 from ...questions.answers.between_criteria import between_blocks
 from ...questions.answers.condition_list import condition_list
 from ...questions.answers.energy_sink import sink_of

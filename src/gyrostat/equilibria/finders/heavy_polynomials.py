@@ -7,7 +7,7 @@ from sympy import Add, Expr, Matrix, Mul, Poly, PolynomialError, Rational, S
 from ...algebra.reals.exact import evaluate
 from ...algebra.rings.matrices import cross
 from ...algebra.rings.polynomials import lowest_terms
-from ...algebra.solving.sphere_sets import zeros_on_sphere
+from ...algebra.solving.sphere_zeros import zeros_on_sphere
 from ...errors import ScopeError, brief
 from ...mechanics.scenes.system import System
 from ...notation import symbol

@@ -7,7 +7,7 @@ from sympy import Add, Expr, Rational, S, sqrt
 from ...algebra.reals.exact import evaluate, proved_sign
 from ...algebra.rings.matrices import cross
 from ...algebra.solving.real_fields import FieldNumbers
-from ...algebra.solving.sphere_sets import zeros_on_sphere
+from ...algebra.solving.sphere_zeros import zeros_on_sphere
 from ...errors import ScopeError, ValuesError
 from ...mechanics.families.circular_orbit import NORMAL, VERTICAL, by_gradient_alone, orbital_rate
 from ...mechanics.scenes.system import System, at_numbers, names_of_scene

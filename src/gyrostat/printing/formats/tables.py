@@ -5,10 +5,10 @@ from typing import Any
 from ...stability.report.report import Report
 from ..blocks import Block, Display, Word, joined, sentence
 from ..letters import letters_of, word
+from ..nomenclature import Row, occurring, symbol_rows
 from ..results.boundary import ladder, rung_display, squared_rate, undecided
 from ..results.inequalities import existence
 from ..results.rotations import definition_blocks, family_blocks
-from ..symbols import Row, occurring, symbol_rows
 from .article import NARROW, block_latex, inline, preamble, sentence_latex
 from .latex import display, formula, tex
 from .latex_names import PLAIN, Names, Paper

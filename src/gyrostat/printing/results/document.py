@@ -18,7 +18,7 @@ from ...stability.report.report import Report
 from ...typesetting import typeset
 from ..blocks import Block, Display, Heading, Word, equations, joined, listed, sentence
 from ..letters import letter, letters_of, word
-from ..symbols import occurring, symbol_rows
+from ..nomenclature import occurring, symbol_rows
 from .boundary import boundary_blocks
 from .inequalities import criterion_blocks, existence, integral_blocks, polynomial_of
 from .rotations import definition_blocks, family_blocks

@@ -6,7 +6,7 @@ from ..independent.arnold import stability
 from ..independent.counterexample import Model, Values
 from ..independent.frame_equations import model_of
 from ..independent.least_energy import is_least
-from ..independent.separatrix import separatrix_residual
+from ..independent.separatrix_residual import separatrix_residual
 from ..statements import Doubt, Seen
 from .comparisons import holds_as_printed
 from .criteria import DAMPED, SPECTRAL

@@ -16,7 +16,7 @@ from ...mechanics.scenes.system import System
 from ...printing.blocks import Block
 from ...printing.formats.article import article
 from ...printing.formats.latex_names import Paper
-from ...printing.symbols import occurring, symbol_rows
+from ...printing.nomenclature import occurring, symbol_rows
 
 _PRINTER = StrPrinter({"sympy_integers": True})        # 1/3 is S(1)/3
 

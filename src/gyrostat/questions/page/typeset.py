@@ -11,7 +11,7 @@ from ...printing.formats.article import NARROW, inline
 from ...printing.formats.latex import display, tex
 from ...printing.formats.latex_names import Names
 from ...printing.formats.linebreaks import broken, width
-from ...printing.symbols import symbol_rows
+from ...printing.nomenclature import symbol_rows
 
 OWN = {"M": "length of the total angular momentum", "sigma": "multiplier of |k| = 1"}
 

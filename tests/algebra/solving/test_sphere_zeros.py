@@ -4,7 +4,7 @@ from sympy import Rational, S, sqrt
 
 import gyrostat as gs
 from gyrostat.algebra.reals.exact import evaluate, sign_of_constant
-from gyrostat.algebra.solving.sphere_sets import zeros_on_sphere
+from gyrostat.algebra.solving.sphere_zeros import zeros_on_sphere
 
 k1, k2, k3 = K = tuple(gs.symbol(f"k{n}") for n in (1, 2, 3))
 HALF = Rational(1, 2)
