@@ -51,6 +51,18 @@ def test_gyrostat_report_loads_at_most_115_modules():
     assert "gyrostat.cli.verbs.report" in ours and len(ours) <= 115
 
 
+@pytest.mark.parametrize("asked", [
+    ["--potential", "m0*k3", "--set", "I1=2", "I3=1", "l=1", "m0=1/2", "omega=1"],
+    ["--potential", "none", "--inertia", "1,2,3", "--gyrostatic-momentum=0,0,1/2", "--momentum", "2"],
+    ["--potential", "k1 + k2", "--inertia", "1,2,3", "--gyrostatic-momentum=0,0,1/2", "--set", "omega=2"],
+    ["--orbit", "1", "--inertia", "1,5/4,8/5", "--gyrostatic-momentum=3/10,1/5,1/10"]])
+def test_a_list_loads_no_numpy(asked):
+    """It costs as much as a list."""
+    new = loaded("import contextlib, io; from gyrostat.cli.parser import main\n"
+                 f"with contextlib.redirect_stdout(io.StringIO()): main({['decide', *asked]!r})")
+    assert "gyrostat.equilibria.search" in new and "numpy" not in new
+
+
 def heavy(moment):
     """A heavy gyrostat that no test has seen."""
     return gs.assemble(gs.Gyrostat((moment, 4, 3), (0, 0, "1/2")), gs.general_potential("k1 + 2*k2 + k3"))

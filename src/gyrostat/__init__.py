@@ -20,9 +20,10 @@ from .version import __version__
 if TYPE_CHECKING:
     from . import charts, derivation, mechanics, plotting, published, questions, trajectories
     from .equilibria.continuation.continuation import continuation
+    from .equilibria.continuation.mark import Mark
     from .equilibria.continuation.meeting_equations import Bifurcation, bifurcations
     from .equilibria.continuation.meeting_values import bifurcation_points
-    from .equilibria.continuation.piece_and_mark import Continuation, Mark, Piece
+    from .equilibria.continuation.pieces import Continuation, Piece
     from .equilibria.curves.amended_potential import AmendedPotential, CriticalPoint, amended_potential
     from .equilibria.curves.arc import Arc
     from .equilibria.curves.staude import StaudeCone, staude_cone
@@ -121,7 +122,8 @@ __getattr__, __dir__ = _later(__name__, {
     "equilibria.continuation.continuation": "continuation",
     "equilibria.continuation.meeting_equations": "Bifurcation bifurcations",
     "equilibria.continuation.meeting_values": "bifurcation_points",
-    "equilibria.continuation.piece_and_mark": "Continuation Mark Piece",
+    "equilibria.continuation.mark": "Mark",
+    "equilibria.continuation.pieces": "Continuation Piece",
     "equilibria.curves.amended_potential": "amended_potential AmendedPotential CriticalPoint",
     "equilibria.curves.arc": "Arc",
     "equilibria.curves.staude": "staude_cone StaudeCone",

@@ -13,7 +13,8 @@ from ..arguments import checked
 from ..equilibria.continuation.bifurcation_kinds import precessions_leave, tilt_leaves
 from ..equilibria.continuation.continuation import continuation
 from ..equilibria.continuation.heavy_changes import FREQUENCIES, SINGULAR
-from ..equilibria.continuation.piece_and_mark import INFINITE, Continuation, Mark, Piece
+from ..equilibria.continuation.mark import Mark
+from ..equilibria.continuation.pieces import INFINITE, Continuation, Piece
 from ..equilibria.finders.free import LENGTH
 from ..mechanics.families.named_families import E1, E2, E3
 from ..mechanics.scenes.kind import Kind

@@ -14,7 +14,7 @@ from ..finders.rate_level_tilt import names_of
 from .following import follow
 from .free_branches import FreeBranches
 from .heavy_branches import HeavyBranches
-from .piece_and_mark import Continuation
+from .pieces import Continuation
 from .revolution_branches import RevolutionBranches
 
 CURVES: dict[Kind, type[FreeBranches | HeavyBranches | RevolutionBranches]] = {

@@ -5,7 +5,8 @@ from typing import Protocol
 
 from sympy import Expr
 
-from .piece_and_mark import Continuation, Mark, Piece, joined
+from .mark import Mark
+from .pieces import Continuation, Piece, joined
 
 Pieces = Sequence[Piece]
 

@@ -19,8 +19,9 @@ from ..finders.free_form import FreeForm
 from ..finders.rate_level_tilt import LENGTH, numbers_of_rotations
 from .following import Pieces
 from .free_meetings import rotation_curve, rotation_pencil, rotations_meet
+from .mark import Mark
 from .pencil_branches import PRECISION, PencilBranches
-from .piece_and_mark import Mark, Piece
+from .pieces import Piece
 from .stations_at_rate import admissible, within
 
 

@@ -25,8 +25,9 @@ from ..finders.heavy_polynomials import degree_in_k
 from ..finders.rate_level_tilt import exact_point
 from .following import Pieces
 from .heavy_changes import changes
+from .mark import Mark
 from .pencil_branches import PRECISION, Pencil, PencilBranches, meetings
-from .piece_and_mark import Mark, Piece
+from .pieces import Piece
 from .stations_at_rate import admissible, within
 
 

@@ -19,8 +19,8 @@ from ...stability.criteria.numbers_asked import unknown
 from ..finders.rate_level_tilt import LENGTH, MARKED, exact_point, names_of, numbers_of_rotations
 from .bifurcation_kinds import AT_RATE, ON_LEVEL, defined, kind_of, tilt_leaves
 from .free_meetings import rotation_curve, rotations_meet
+from .mark import Mark
 from .meeting_equations import bifurcations, insert, relation_at_rate
-from .piece_and_mark import Mark
 
 
 @checked

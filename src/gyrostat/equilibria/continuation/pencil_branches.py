@@ -23,7 +23,7 @@ from ...algebra.solving.stations import between
 from ...stability.decision import Verdict
 from ...stability.form import Form
 from ..relative_equilibrium import RelativeEquilibrium
-from .piece_and_mark import Piece
+from .pieces import Piece
 
 # between two stations, closer together at both; how near the first and the last are to one where some meet
 NODES, NEAR = 48, 2**30

@@ -24,8 +24,9 @@ from ..finders.rate_level_tilt import exact_point, names_of
 from ..finders.revolution import critical_tilt, pole_at, revolution_forms
 from .bifurcation_kinds import AT_RATE, defined, kind_of, precessions_leave
 from .following import Pieces
+from .mark import Mark
 from .meeting_equations import insert, relation_at_rate
-from .piece_and_mark import INFINITE, Mark, Piece
+from .pieces import INFINITE, Piece
 from .stations_at_rate import admissible, changes_at_pole, margin_at_rate, margins_vanish, within
 
 # between two stations; of steps in k3 that are longer

@@ -11,8 +11,8 @@ from sympy import Expr, Pow, S, oo, sqrt
 from ...algebra.rings.readable import readable
 from ...algebra.rings.subexpressions import occurring
 from ...equilibria.continuation.bifurcation_kinds import KINDS
+from ...equilibria.continuation.mark import Mark
 from ...equilibria.continuation.meeting_equations import Bifurcation
-from ...equilibria.continuation.piece_and_mark import Mark
 from ...equilibria.curves.amended_potential import AmendedPotential, CriticalPoint
 from ...equilibria.curves.arc import Arc
 from ...equilibria.curves.staude import StaudeCone

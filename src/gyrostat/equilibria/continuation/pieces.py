@@ -1,14 +1,12 @@
-"""What is found along a name: a Piece of one verdict, a Mark where something happens, a Continuation."""
+"""What is found along a name: pieces of one verdict, and marks where something happens, a Continuation."""
 from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from sympy import Expr
 
-from ..._display import Shown
 from ...algebra.enclosures.floats import Array
-from ...notation import Stored
 from ...stability.decision import Verdict
+from .mark import Mark
 
 INFINITE = "U is infinite"
 
@@ -63,55 +61,6 @@ def joined(parts: Sequence[Piece]) -> Piece:
     arrays = {name: np.concatenate([value, *(getattr(piece, name)[1:] for piece in rest)])
               for name, value in vars(first).items() if isinstance(value, np.ndarray)}
     return Piece(first.label, verdict=first.verdict, **arrays)
-
-
-@dataclass(frozen=True, repr=False)
-class Mark(Shown, Stored):
-    """A value of the free name at which relative equilibria meet or change, and where.
-
-    Its kind says what happens; where branches meet between the poles "at fixed rate" or "on a level", it
-    starts with "fold", "pitchfork", "crossing" or "isolated". Of permanent rotations it is that of the
-    degenerate one: "fold", "pitchfork", "umbilic" (a fold and a pitchfork in one), "circle leaves an axis" of
-    a body of revolution, "circle at this value alone" or "sphere at this value alone"; and of one in a field
-    whose stability changes and that meets no other "singular form", as where C1 turns along omega, or
-    "frequencies meet".
-
-    Parameters
-    ----------
-    kind : str
-    name : str
-        the one that is free
-    value : Expr
-        exact
-    k3 : Expr or None
-        None of a free gyrostat; as nu, momentum and k exact, but where stability changes without a meeting
-    nu : Expr or None
-        of a free gyrostat: ω = ν M
-    momentum : tuple of Expr, shape (3,), or None
-        of a free gyrostat: M
-    k : tuple of Expr, shape (3,), or None
-        of a body in a field that is not of revolution
-    changes : bool or None
-        whether stability changes along a branch; where U is infinite it may, with no equilibrium between;
-        None where it was not asked, as where rotations meet
-
-    Examples
-    --------
-    >>> import gyrostat as gs
-    >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
-    >>> point = gs.bifurcation_points(top, values={"I1": 1, "l": 0, "m0": 1}, name="pi3_0")[0]
-    >>> point.kind, point.value, point.k3
-    ('precessions leave E1', -2, 1)
-    """
-
-    kind: str
-    name: str
-    value: Expr
-    k3: Expr | None = None
-    nu: Expr | None = None
-    momentum: tuple[Expr, ...] | None = None
-    k: tuple[Expr, ...] | None = None
-    changes: bool | None = None
 
 
 @dataclass(frozen=True, eq=False)

@@ -1,0 +1,56 @@
+"""A value of a name at which relative equilibria meet or change."""
+from dataclasses import dataclass
+
+from sympy import Expr
+
+from ..._display import Shown
+from ...notation import Stored
+
+
+@dataclass(frozen=True, repr=False)
+class Mark(Shown, Stored):
+    """A value of the free name at which relative equilibria meet or change, and where.
+
+    Its kind says what happens; where branches meet between the poles "at fixed rate" or "on a level", it
+    starts with "fold", "pitchfork", "crossing" or "isolated". Of permanent rotations it is that of the
+    degenerate one: "fold", "pitchfork", "umbilic" (a fold and a pitchfork in one), "circle leaves an axis" of
+    a body of revolution, "circle at this value alone" or "sphere at this value alone"; and of one in a field
+    whose stability changes and that meets no other "singular form", as where C1 turns along omega, or
+    "frequencies meet".
+
+    Parameters
+    ----------
+    kind : str
+    name : str
+        the one that is free
+    value : Expr
+        exact
+    k3 : Expr or None
+        None of a free gyrostat; as nu, momentum and k exact, but where stability changes without a meeting
+    nu : Expr or None
+        of a free gyrostat: ω = ν M
+    momentum : tuple of Expr, shape (3,), or None
+        of a free gyrostat: M
+    k : tuple of Expr, shape (3,), or None
+        of a body in a field that is not of revolution
+    changes : bool or None
+        whether stability changes along a branch; where U is infinite it may, with no equilibrium between;
+        None where it was not asked, as where rotations meet
+
+    Examples
+    --------
+    >>> import gyrostat as gs
+    >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
+    >>> point = gs.bifurcation_points(top, values={"I1": 1, "l": 0, "m0": 1}, name="pi3_0")[0]
+    >>> point.kind, point.value, point.k3
+    ('precessions leave E1', -2, 1)
+    """
+
+    kind: str
+    name: str
+    value: Expr
+    k3: Expr | None = None
+    nu: Expr | None = None
+    momentum: tuple[Expr, ...] | None = None
+    k: tuple[Expr, ...] | None = None
+    changes: bool | None = None
