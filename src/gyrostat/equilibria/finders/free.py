@@ -90,7 +90,7 @@ def _about_axes(scene: System, radius: Expr) -> Iterator[FreeForm]:
 def _by_energy(form: FreeForm) -> list[float]:
     """Energy and M."""
     with own_precision(PRECISION):
-        inverse = [[ball(e, PRECISION) for e in row] for row in form.scene.body.inverse.tolist()]
-        M, pi = ([ball(e, PRECISION) for e in vector] for vector in (form.M, form.point))
+        inverse, M, _ = form.enclosed
+        pi = [m - ball(l, PRECISION) for m, l in zip(M, form.scene.body.gyrostatic_momentum)]
         energy = dot(pi, [dot(row, pi) for row in inverse])
     return [float(x.mid()) for x in (energy, *M)]

@@ -4,6 +4,7 @@ from typing import Any
 
 from sympy import Add, Expr, S, sqrt
 
+from ..._cached import cached_property
 from ...algebra.enclosures.balls import ball
 from ...algebra.reals.exact import evaluate
 from ...algebra.rings.matrices import adjugate
@@ -12,7 +13,7 @@ from ...notation import symbol
 from ...stability.criteria.amended_form import dot, trace
 from ...stability.damping.secular import KEEPS, lost
 from ...stability.decision import Decision, Rung, settled
-from ...stability.form import Form, Invariants
+from ...stability.form import PRECISION, Form, Invariants
 from ...stability.notion import Notion
 from ...stability.theorems.momentum_sphere import DRIFTS, extremum
 
@@ -83,14 +84,22 @@ class FreeForm(Form):
         """In principal axes Δ = M₁² d₂ d₃ + M₂² d₃ d₁ + M₃² d₁ d₂ with dᵢ = 1/Iᵢ − ν."""
         if self.nu is None:
             return Invariants((S.Zero, S.Zero), (S.One, S.Zero))
-        rows, M, nu = self.scene.body.inverse.tolist(), self.M, self.nu
-        if precision is not None:
-            rows = [[ball(x, precision) for x in row] for row in rows]
-            M, nu = tuple(ball(m, precision) for m in self.M), ball(self.nu, precision)
+        rows, M, nu = ((self.scene.body.inverse.tolist(), self.M, self.nu) if precision is None
+                       else self.enclosed if precision == PRECISION else self._balls(precision))
         D = [[x - nu if i == j else x for j, x in enumerate(row)] for i, row in enumerate(rows)]
         along, across = ([dot(row, M) for row in matrix] for matrix in (D, adjugate(D)))
         curvature = dot(M, across)
         return Invariants((trace(D) * dot(M, M) - dot(M, along), curvature), (1, curvature))
+
+    @cached_property
+    def enclosed(self) -> tuple[list[list[Any]], list[Any], Any]:
+        """I⁻¹, M and ν in balls, with the precision that decides."""
+        return self._balls(PRECISION)
+
+    def _balls(self, precision: int) -> tuple[list[list[Any]], list[Any], Any]:
+        rows = [[ball(x, precision) for x in row] for row in self.scene.body.inverse.tolist()]
+        assert self.nu is not None
+        return rows, [ball(m, precision) for m in self.M], ball(self.nu, precision)
 
     def known(self) -> Decision | None:
         """M = 0, a circle and the whole sphere."""
