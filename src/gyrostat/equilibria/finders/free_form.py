@@ -11,7 +11,6 @@ from ...algebra.rings.matrices import adjugate
 from ...mechanics.scenes.system import System
 from ...notation import symbol
 from ...stability.criteria.amended_form import dot, trace
-from ...stability.damping.secular import KEEPS, lost
 from ...stability.decision import Decision, Rung, settled
 from ...stability.form import PRECISION, Form, Invariants
 from ...stability.notion import Notion
@@ -110,12 +109,8 @@ class FreeForm(Form):
         return on_circle(self.circle) if any(self.circle) else ANYWHERE
 
     def known_damped(self) -> Decision | None:
-        """M = 0; on a circle modulo the turns about its axis."""
-        if self.nu is None:
-            return replace(AT_REST, notion=Notion.SECULAR, growing=0)
-        if self.circle is None or not any(self.circle):
-            return None
-        return replace(KEEPS if self.signs[0] == 1 else lost(1), modulo=on_circle(self.circle).modulo)
+        """M = 0."""
+        return replace(AT_REST, notion=Notion.SECULAR, growing=0) if self.nu is None else None
 
     def known_point(self) -> Decision | None:
         """On a circle others drift along it."""
