@@ -141,7 +141,10 @@ def test_the_verdict_changes_at_the_boundaries(arcs):
                 if piece.low < Rational(omega) < piece.high:
                     data = floats(inertia, rotor, c, NOTHING, omega)
                     found = heavy.verdict(*data, np.array(arc.near(omega)[0]))
-                    assert found in (None, piece.decision.verdict.name)
+                    if found == "UNDECIDED":               # held by gyroscopic forces
+                        assert piece.decision.stable and piece.decision.rung is gs.Rung.TWIST
+                    else:
+                        assert found in (None, piece.decision.verdict.name)
                     changes += found is not None
     assert changes >= 8
 
