@@ -1,5 +1,6 @@
 """gyrostat decide of a body in a field without numbers of its motion: every arc of permanent rotations."""
 import json
+import re
 
 import pytest
 from commands import decide
@@ -16,6 +17,17 @@ def test_arcs_as_text(capsys):
     status, out, err = decide(capsys, *AXIS)
     assert (status, err) == (0, "") and out.count("permanent rotations, arc") == 10
     assert "to k = (0, 0, 1), where ω =" in out and "every ω: stable" in out
+
+
+@pytest.mark.parametrize("field", ["k3", "2*k1 - k3", "-k1 + k2 - 3*k3"])
+def test_what_is_not_proved_of_single_rates_is_said(capsys, field):
+    """In the order of the pieces, of those that D4 decides and of no others."""
+    asked = ["--potential", field, "--inertia", "2,1,6/5", "--gyrostatic-momentum=0,3/8,-1"]
+    _, out, _ = decide(capsys, *asked)
+    _, data, _ = decide(capsys, *asked, "--format", "json")
+    said = re.findall(r": (?:un)?(?:stable|decided)(, but for single rates at which D₄ = 0)?\n", out)
+    by_d4 = [piece["decision"]["rung"] == "D4" for arc in json.loads(data)["arcs"] for piece in arc["pieces"]]
+    assert [*map(bool, said)] == by_d4 and any(by_d4) and not all(by_d4)
 
 
 @pytest.mark.slow

@@ -9,7 +9,9 @@ from ...equilibria.curves.arc import Arc, End, Piece
 from ...equilibria.curves.staude import StaudeCone
 from ...equilibria.relative_equilibrium import RelativeEquilibrium
 from ...notation import symbol
+from ...stability.decision import Rung
 from ..blocks import Block, Display, Word, equations, listed, sentence
+from ..letters import letter, letters_in
 from .interval_ends import number
 
 VECTOR, OMEGA = Word("k", "⟨vector_k⟩"), symbol("omega")
@@ -48,8 +50,12 @@ def _crossed(rotation: RelativeEquilibrium) -> Block:
 
 def _verdicts(parameter: Expr, pieces: Iterable[Piece]) -> Iterator[Block]:
     for piece in pieces:
+        but: tuple[Any, ...] = ()
+        if piece.decision.rung is Rung.TWIST:
+            D4 = letter(letters_in([parameter]), "D4")
+            but = ", but for single rates at which ", *equations([(D4, S.Zero)])
         yield sentence(*_interval(piece.low, parameter, piece.high),
-                       f": {piece.decision.verdict.name.lower()}")
+                       f": {piece.decision.verdict.name.lower()}", *but)
 
 
 def _end(end: End) -> tuple[Any, ...]:
