@@ -179,7 +179,7 @@ def test_dataset(top):
     assert "spin" not in free.attrs
     precise = motion(TOP, STATE, NUMBERS, precision=20).to_xarray(t)
     assert precise["k3"].dtype == float and precise.attrs["period"] == top.period
-    with pytest.raises(ValuesError, match=r"shape \(1, 2\): give a row"):
+    with pytest.raises(ValuesError, match=r"shape \(1, 2\) is not that of a row: give a row"):
         top.to_xarray([[0.0, 1.0]])
 
 

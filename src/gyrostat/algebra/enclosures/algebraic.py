@@ -1,4 +1,7 @@
-"""Algebraic numbers: how near to 0 one can be that is not 0, and real roots of polynomials to any precision.
+"""Separation bounds of algebraic numbers, and their real roots to any precision by Newton's method.
+
+A separation bound says how near to 0 an algebraic number can be that is not 0. An enclosure that lies nearer
+to 0 than that proves that the number is 0.
 """
 import math
 from collections.abc import Iterable
@@ -14,26 +17,27 @@ TURNS = (sin, cos, tan, cot, sec, csc)
 
 
 def is_algebraic(constant: Expr) -> bool:
-    """Whether a constant is written with rationals, + − × ÷, roots, roots of polynomials, and sines and
-    cosines of rational multiples of π.
+    """Tell whether a constant is algebraic by the way it is written.
 
-    SymPy does not know it of all of them.
+    It is if it consists of rationals, + − × ÷, roots, roots of polynomials, and sines, cosines, … of rational
+    multiples of π. SymPy's own is_algebraic does not recognise all of these.
 
     Examples
     --------
     >>> from sympy import sqrt
-    >>> is_algebraic(sqrt(2 + cos(pi/32))), is_algebraic(pi), is_algebraic(cos(1))
-    (True, False, False)
+    >>> [is_algebraic(x) for x in (sqrt(2 + cos(pi/32)), pi, cos(1))]
+    [True, False, False]
     """
     return _conjugates(constant) is not None
 
 
 def separation(constant: Expr) -> int | None:
-    """n such that the constant, if it is not 0, is at least 2⁻ⁿ in size; None for a transcendental one.
+    """Return n such that the constant, if it is not 0, is at least 2⁻ⁿ in size.
 
-    Of an expression in rationals, + − × ÷ and roots: abs(E) ≥ 1/(u^(D−1) l), where u and l bound the
-    conjugates of its numerator and denominator and D is the degree of a field that holds its roots: the
-    product of their degrees, and φ(n)/2 for all the cosines of multiples of 2π/n together.
+    None if it is not known to be algebraic. An expression in rationals, + − × ÷ and roots satisfies abs(E) ≥
+    1/(u^(D−1) l), where u and l bound the conjugates of its numerator and denominator and D is the degree of
+    a field that holds its roots: the product of their degrees, and φ(n)/2 for all the cosines of multiples of
+    2π/n together.
 
     References
     ----------
@@ -48,9 +52,10 @@ def separation(constant: Expr) -> int | None:
 
 
 def _degree_of_roots(constant: Expr) -> int:
-    """A bound on the degree of a field with all roots.
+    """Return a bound on the degree of a field that contains all radicals of a constant.
 
-    Of each base once, and of integers the roots of numbers without common factors.
+    Each base counts once, by the least common multiple of the orders of its roots. The roots of integers are
+    those of their coprime factors, if that gives a smaller degree.
     """
     orders: dict[Expr, int] = {}
     for p in constant.atoms(Pow):
@@ -64,9 +69,9 @@ def _degree_of_roots(constant: Expr) -> int:
 
 
 def coprime(integers: Iterable[int]) -> list[int]:
-    """Numbers without common factors of whose powers all the integers are products.
+    """Return pairwise coprime integers of whose powers all the given ones are products.
 
-    Their logarithms are independent.
+    The logarithms of coprime integers are linearly independent over ℚ.
     """
     base: list[int] = []
     left = [n for n in integers if n > 1]
@@ -82,25 +87,26 @@ def coprime(integers: Iterable[int]) -> list[int]:
 
 
 def turn(function: Expr) -> Rational | None:
-    """r of a sine, cosine, … of r π, None of any other argument."""
+    """Return r for a sine, cosine, … of r π with a rational r, and None for any other argument."""
     coefficient, rest = function.args[0].as_coeff_Mul()
     return coefficient if rest is pi and isinstance(coefficient, Rational) else None
 
 
 def _conjugates(node: Expr) -> tuple[float, float, int] | None:
-    """log₂ of u and v, each at least 0, and w, of the expression as U/(V w) with algebraic integers U and V
-    and a positive integer w.
+    """Return log₂ u, log₂ v and w: the expression is U/(V w), and u, v ≥ 1 bound U and V.
 
-    None where the expression is not of that form.
+    U and V are algebraic integers, all of whose conjugates are at most u and v in size; w is a positive
+    integer. None if the expression is not of that form.
     """
     if isinstance(node, Rational):
         return math.log2(abs(int(node.p)) or 1), 0.0, int(node.q)
     if isinstance(node, CRootOf):
         coefficients = [abs(int(c)) for c in over_integers(node.poly).coeffs()]
+        # lead·root is an algebraic integer; its conjugates obey Cauchy's bound
         return math.log2(coefficients[-1] + max(coefficients)), 0.0, coefficients[-1]
     if isinstance(node, TURNS) and turn(node) is None:
         return None
-    # 2 sin rπ and 2 cos rπ are integers whose conjugates are at most 2
+    # 2 sin rπ and 2 cos rπ are algebraic integers whose conjugates are at most 2
     if isinstance(node, TURNS):
         return (1.0, 0.0, 2) if isinstance(node, (sin, cos)) else (1.0, 1.0, 1)
     parts = [_conjugates(part) for part in (node.args if isinstance(node, (Add, Mul)) else node.args[:1])]
@@ -117,7 +123,7 @@ def _conjugates(node: Expr) -> tuple[float, float, int] | None:
         return None
     (u, v, w), n, k = given[0], abs(int(node.exp.p)), int(node.exp.q)
     low = v + math.log2(w)
-    # of U/V the root of U V^(k−1) over V, or U over that of U^(k−1) V
+    # (U/V)^(1/k) = (U V^(k−1))^(1/k)/V = U/(U^(k−1) V)^(1/k): a root of an algebraic integer is one
     if k > 1 and u < low:
         u, v, w = u, ((k - 1) * u + low) / k, 1
     elif k > 1:
@@ -127,9 +133,9 @@ def _conjugates(node: Expr) -> tuple[float, float, int] | None:
 
 @lru_cache(maxsize=256)
 def real_root(root: CRootOf, precision: int) -> arb:
-    """Enclosure of a real root of a polynomial, not finite where it is not real.
+    """Enclose a real root of a polynomial by the interval Newton method.
 
-    By Newton's method from one of half as many bits.
+    It starts from an enclosure with half as many bits. The enclosure is not finite if that root is not real.
     """
     near = real_root(root, precision // 2) if precision > 128 else _isolated(root, precision)
     polynomial, slope = over_integers(root.poly), over_integers(root.poly).derivative()
@@ -153,18 +159,21 @@ def _isolated(root: CRootOf, precision: int) -> arb:
 
 @lru_cache(maxsize=64)
 def _real_roots(polynomial: Poly, precision: int) -> list[arb]:
-    """All of a polynomial, as to isolate one is to isolate them."""
+    """Enclose all real roots of a polynomial: to isolate one takes as long as to isolate all."""
     with own_precision(precision):
         return isolated_roots(over_integers(polynomial))
 
 
 def isolated_roots(polynomial: fmpz_poly | fmpq_poly) -> list[arb]:
-    """The different real roots of a polynomial, isolated, from below, at the precision that is set."""
+    """Return the distinct real roots of a polynomial, isolated, in increasing order.
+
+    They have the precision that is set.
+    """
     return sorted((x.real for x, _ in polynomial.complex_roots() if x.imag == 0), key=arb.mid)
 
 
 def _at(polynomial: fmpz_poly, x: arb) -> arb:
-    """The value of a polynomial."""
+    """Return the value of a polynomial at x, by Horner's rule."""
     value = arb(0)
     for coefficient in reversed(polynomial.coeffs()):
         value = value * x + arb(coefficient)
@@ -173,5 +182,5 @@ def _at(polynomial: fmpz_poly, x: arb) -> arb:
 
 @lru_cache(maxsize=256)
 def over_integers(polynomial: Poly) -> fmpz_poly:
-    """A polynomial over ℚ without its denominators."""
+    """Return a polynomial over ℚ times its common denominator, as one over ℤ."""
     return fmpz_poly([int(c) for c in reversed(polynomial.clear_denoms(convert=True)[1].all_coeffs())])

@@ -1,4 +1,4 @@
-"""An expression in another arithmetic, node by node: floats, functions of a point, enclosures, bounds."""
+"""Evaluates an expression in any arithmetic, node by node: floats, functions of a point, balls, bounds."""
 from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple
 
@@ -6,18 +6,18 @@ from sympy import Add, Expr, Mul, Pow, Rational
 
 
 class Arithmetic(NamedTuple):
-    """What an expression is written in.
+    """The operations with which an expression is evaluated.
 
     Parameters
     ----------
     leaf : callable
-        what stands for a symbol or a number; NotImplemented for what has to be taken apart
+        the value of a symbol or a number; NotImplemented for a node that has to be taken apart
     sum, product : callable
         of a sequence
     power : callable
         of a base and a rational exponent
     function : callable
-        of the node and what stands for its arguments; other powers are functions, too
+        of the node and the values of its arguments; powers with other exponents are functions, too
     """
 
     leaf: Callable[[Expr], Any]
@@ -28,15 +28,15 @@ class Arithmetic(NamedTuple):
 
 
 def in_arithmetic(node: Expr, arithmetic: Arithmetic) -> Any:
-    """What an expression is in an arithmetic.
+    """Return the value of an expression in an arithmetic, by recursion over its tree.
 
     Examples
     --------
     >>> import math
-    >>> from sympy import Symbol
-    >>> numbers = {Symbol("x"): 2, Symbol("y"): 3}
-    >>> leaf = lambda node: int(node) if node.is_Number else numbers.get(node, NotImplemented)
-    >>> function = lambda node, parts: getattr(math, node.func.__name__)(*parts)
+    >>> from sympy import Integer, Symbol
+    >>> numbers = {Symbol("x"): 2, Symbol("y"): 3, Integer(-1): -1}
+    >>> leaf = lambda node: numbers.get(node, NotImplemented)
+    >>> function = lambda node, parts: getattr(math, str(node.func))(*parts)
     >>> whole = Arithmetic(leaf, sum, math.prod, pow, function)
     >>> in_arithmetic(Symbol("x")**3 * Symbol("y") - 1, whole)
     23

@@ -21,12 +21,12 @@ FUNCTIONS: dict[str, Callable[[arb], arb]] = {name: getattr(arb, name) for name 
 
 
 class Enclosed(Expr):
-    """A real constant that encloses itself."""
+    """A real constant that computes its own enclosure."""
 
     is_commutative = is_real = is_number = True
 
     def enclosed(self, precision: int) -> arb:
-        """An enclosure, of so many bits or wider."""
+        """Return an enclosure that is computed with so many bits."""
         raise NotImplementedError
 
     def _eval_evalf(self, prec: int) -> Float:
@@ -35,8 +35,7 @@ class Enclosed(Expr):
 
 
 def ball(expression: Expr, precision: int, values: Mapping[Symbol, arb] = NOTHING) -> arb:
-    """Enclosure of a real expression in ball arithmetic of the precision given (not finite where it is
-    undefined).
+    """Enclose a real expression in ball arithmetic; the ball is not finite if it may be undefined.
 
     Parameters
     ----------
@@ -51,7 +50,9 @@ def ball(expression: Expr, precision: int, values: Mapping[Symbol, arb] = NOTHIN
 
 
 def accurate(number: Expr, bits: int) -> arb:
-    """Enclosure of an exact number to so many significant bits; 0 of one that is not told from it.
+    """Enclose an exact number to so many significant bits; return 0 if it cannot be told from 0.
+
+    The precision is doubled until it is enough, or more than 8192 bits are asked for.
 
     Examples
     --------
@@ -93,7 +94,7 @@ def _ball(node: Expr, values: Mapping[Symbol, arb]) -> arb:
 
 @lru_cache(maxsize=256)
 def _constant(node: Expr, precision: int) -> arb:
-    """A root or a function of constants, once at each precision; that is the precision of the moment."""
+    """Enclose a root or a function of constants, once for each precision, which has to be the current one."""
     return _power(node, NOTHING) if isinstance(node, Pow) else _function(node, NOTHING)
 
 
@@ -103,7 +104,7 @@ def _function(node: Expr, values: Mapping[Symbol, arb]) -> arb:
 
 def _power(node: Pow, values: Mapping[Symbol, arb]) -> arb:
     base, n = _root(_ball(node.base, values), int(node.exp.q)), int(node.exp.p)
-    # ** has no power of a ball that contains 0
+    # a product, since ** gives no finite power of a ball that contains 0
     return math.prod([base] * n, start=arb(1)) if 0 < n <= 64 else base**n
 
 
@@ -116,12 +117,12 @@ def _root(base: arb, n: int) -> arb:
 
 
 def interval(low: Fraction, high: Fraction | None = None) -> arb:
-    """The ball that reaches from one number to another, at the precision that is set."""
+    """Return a ball that contains all numbers between two, at the precision that is set."""
     return arb(to_flint(low)).union(arb(to_flint(low if high is None else high)))
 
 
 def dyadic(enclosure: arb, small: Fraction) -> Fraction | None:
-    """A fraction within a small distance of an enclosed number."""
+    """Return a dyadic fraction near an enclosed number, within `small`; None if the ball is too wide."""
     if not enclosure.is_finite() or fraction_of(enclosure.rad()) > small / 2:
         return None
     n = max(2, small.denominator.bit_length() - small.numerator.bit_length() + 3)
@@ -129,13 +130,13 @@ def dyadic(enclosure: arb, small: Fraction) -> Fraction | None:
 
 
 def fraction_of(exact: arb) -> Fraction:
-    """The number that a ball without a radius is."""
+    """Return the number that a ball of radius 0 stands for, exactly."""
     mantissa, exponent = exact.man_exp()
     return int(mantissa) * Fraction(2) ** int(exponent)
 
 
 def ends(enclosure: arb) -> tuple[Fraction, Fraction]:
-    """The lower and the upper end of a ball, exact, where those of python-flint are rounded.
+    """Return the lower and the upper end of a ball, exactly; those of python-flint are rounded.
 
     Examples
     --------

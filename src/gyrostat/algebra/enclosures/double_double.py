@@ -1,4 +1,4 @@
-"""Sums of two doubles, the second below the last bit of the first: arithmetic of 106 bits on arrays."""
+"""Double-double arithmetic on numbers and arrays: a number is the sum of two doubles, 106 bits of it."""
 from dataclasses import dataclass
 from typing import Any
 
@@ -9,7 +9,7 @@ SPLITTER = 2.0**27 + 1
 class Twofold:
     """A number, or an array of numbers, as the sum of two doubles, 106 bits of it.
 
-    Sums and products have relative errors of some 2⁻¹⁰⁴ where nothing cancels.
+    Sums and products have relative errors of some 2⁻¹⁰⁴ if nothing cancels.
 
     References
     ----------
@@ -43,33 +43,33 @@ class Twofold:
 
 
 def two_sum(a: Any, b: Any) -> tuple[Any, Any]:
-    """a + b = s + e, exactly: Knuth's two-sum, s the rounded sum."""
+    """Return (s, e) with a + b = s + e exactly, where s is the rounded sum (Knuth's two-sum)."""
     s = a + b
     t = s - a
     return s, (a - (s - t)) + (b - t)
 
 
 def two_product(a: Any, b: Any) -> tuple[Any, Any]:
-    """a b = p + e, exactly: Dekker's product, p the rounded one."""
+    """Return (p, e) with a b = p + e exactly, where p is the rounded product (Dekker)."""
     p = a * b
     (a1, a2), (b1, b2) = _split(a), _split(b)
     return p, ((a1 * b1 - p) + a1 * b2 + a2 * b1) + a2 * b2
 
 
 def scaled(x: Any, factor: Twofold) -> tuple[Any, Any]:
-    """x factor for doubles x: the rounded product with high, and what it lacks, low included."""
+    """Return x·factor for doubles x: the rounded product with the high part, and what it lacks."""
     rounded, error = two_product(x, factor.high)
     return rounded, error + x * factor.low
 
 
 def _quick_two_sum(a: Any, b: Any) -> tuple[Any, Any]:
-    """The two-sum where abs(a) ≥ abs(b)."""
+    """Return the two-sum of a and b if abs(a) ≥ abs(b) (Dekker's fast two-sum)."""
     s = a + b
     return s, b - (s - a)
 
 
 def _split(a: Any) -> tuple[Any, Any]:
-    """a as the sum of two numbers of 26 bits, by Veltkamp's splitting."""
+    """Return a as the sum of two numbers of 26 bits (Veltkamp's splitting)."""
     c = SPLITTER * a
     high = c - (c - a)
     return high, a - high

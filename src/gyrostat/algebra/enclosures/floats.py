@@ -1,4 +1,4 @@
-"""Expressions in floats: the value of a formula over arrays, in NumPy or any other array namespace."""
+"""Evaluates expressions in floats, over arrays of NumPy or of any other array namespace."""
 from collections.abc import Mapping, Sequence
 from functools import partial, reduce
 from math import e, pi
@@ -16,12 +16,12 @@ Array = NDArray[Any]
 
 
 def doubles(given: Any, what: str) -> Array:
-    """Finite doubles, of what is given as an array of any shape.
+    """Return finite doubles from what is given as an array of any shape.
 
     Raises
     ------
     ValuesError
-        a number is none, or is above 1.8e308
+        an entry is not a number, or not a finite double
 
     Examples
     --------
@@ -36,26 +36,26 @@ def doubles(given: Any, what: str) -> Array:
         raise ValuesError(f"{what} = {brief(given)} cannot be read as doubles ({brief(str(error))[1:-1]}): "
                           "give finite numbers below 1.8e308") from None
     if not np.isfinite(found).all():
-        raise ValuesError(f"{what}: a number is not finite: give finite ones")
+        raise ValuesError(f"a number of {what} is not finite: give finite numbers")
     return found
 
 
 def row(given: Any, what: str) -> Array:
-    """The same, shape (n,), n > 0.
+    """Return finite doubles from what is given as a row, shape (n,), n > 0.
 
     Raises
     ------
     ValuesError
-        there are none, or they are no row; or as doubles
+        there are none, or they are not a row; or as for doubles
     """
     found = doubles(given, what)
     if found.ndim != 1 or not found.size:
-        raise ValuesError(f"{what} have the shape {found.shape}: give a row of them")
+        raise ValuesError(f"{what}: the shape {found.shape} is not that of a row: give a row of numbers")
     return found
 
 
 def in_floats(expression: Expr, xp: Any, arrays: Mapping[Symbol, Any]) -> Any:
-    """An expression in the floats of a namespace, its functions those of the namespace, and no better.
+    """Evaluate an expression in the floats of a namespace, by its own functions and no better.
 
     Examples
     --------

@@ -1,4 +1,4 @@
-"""How many bits the enclosures of python-flint have, which is one number for the whole process."""
+"""Sets the precision of python-flint, which is one number for the whole process, under a lock."""
 import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -12,9 +12,10 @@ ONE_AT_A_TIME = threading.RLock()                      # held by every computati
 
 
 def doubled(bits: int, most: int | None = None) -> Iterator[int]:
-    """So many bits, and twice as often as they are not above the most.
+    """Yield a number of bits and its doubles, as long as they are not above a maximum.
 
-    Default are four times, as is worth while before a number is asked for as an expression.
+    The default maximum is 16 times the first number: four doublings pay before a number is asked for as an
+    expression.
 
     Examples
     --------
@@ -29,10 +30,10 @@ def doubled(bits: int, most: int | None = None) -> Iterator[int]:
 
 @contextmanager
 def own_precision(bits: int) -> Iterator[None]:
-    """Every enclosure that is computed inside has so many bits, whatever other threads compute.
+    """Give every enclosure that is computed inside so many bits, whatever other threads compute.
 
-    A computation of ours waits for those of other threads. Whoever calls python-flint besides has to hold
-    ONE_AT_A_TIME as well.
+    A computation of the library waits for those of other threads. Other code that calls python-flint beside
+    it has to hold ONE_AT_A_TIME as well.
 
     Parameters
     ----------
@@ -46,7 +47,7 @@ def own_precision(bits: int) -> Iterator[None]:
     Raises
     ------
     ValuesError
-        another number of bits, or no whole number
+        bits is not a whole number, or not one of these
 
     Examples
     --------
@@ -57,6 +58,6 @@ def own_precision(bits: int) -> Iterator[None]:
     100
     """
     if type(bits) is not int or not 2 <= bits <= MOST:
-        raise ValuesError(f"bits = {brief(bits)} is no whole number from 2 to 2²⁴: give 53, say")
+        raise ValuesError(f"bits = {brief(bits)} is not a whole number from 2 to 2²⁴: give 53, for example")
     with ONE_AT_A_TIME, ctx.workprec(bits):
         yield

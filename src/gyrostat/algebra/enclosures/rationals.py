@@ -1,4 +1,4 @@
-"""Rational numbers of Python, of SymPy and of python-flint, made into each other; a double is one of them."""
+"""Converts rational numbers between Python, SymPy and python-flint; a double counts as the fraction it is."""
 from fractions import Fraction
 
 from flint import fmpq
@@ -6,7 +6,7 @@ from sympy import Rational
 
 
 def to_flint(number: Rational | Fraction | float) -> fmpq:
-    """A rational number for python-flint.
+    """Return a rational number as python-flint's fmpq.
 
     Examples
     --------
@@ -19,7 +19,9 @@ def to_flint(number: Rational | Fraction | float) -> fmpq:
 
 
 def to_sympy(number: fmpq | Fraction | float) -> Rational:
-    """A rational number for SymPy, which takes those of python-flint only where it computes with them itself.
+    """Return a rational number as SymPy's Rational.
+
+    SymPy takes the numbers of python-flint only if it computes with python-flint itself.
 
     Examples
     --------

@@ -1,4 +1,4 @@
-"""Exact arithmetic with the two eigenvalues λ1, λ2 of a Hamiltonian matrix, over the rational numbers."""
+"""Exact arithmetic with the two eigenvalues λ1, λ2 of a Hamiltonian matrix, in a quotient of ℚ[x, m]."""
 from math import prod
 from typing import Any
 
@@ -6,7 +6,7 @@ from flint import fmpq, fmpq_poly
 
 
 class Ring:
-    """Q[x, m] modulo a polynomial in x, and m² = a number.
+    """The ring ℚ[x, m] modulo a polynomial in x, and modulo m² − square.
 
     Parameters
     ----------
@@ -18,17 +18,18 @@ class Ring:
         self.modulus, self.square = modulus, square
 
     def element(self, plain: list[Any], with_m: list[Any] | None = None) -> "Element":
-        """A polynomial in x, and m times another."""
+        """Return a polynomial in x plus m times another."""
         return Element(self, fmpq_poly(plain), fmpq_poly(with_m or [0]))
 
 
 class Element:
-    """a + b m, a and b polynomials in x.
+    """A number a + b m, where a and b are polynomials in x.
 
     Examples
     --------
     >>> one, two = eigenvalues_of(fmpq(5), fmpq(4))
-    >>> (one * one + two * two).rational(), (1 / (one * one * two * two)).rational()
+    >>> a, b = one * one, two * two
+    >>> (a + b).rational(), (1 / (a * b)).rational()
     (-5, 1/4)
     """
 
@@ -78,24 +79,27 @@ class Element:
     __hash__ = None                                        # type: ignore[assignment]
 
     def invertible(self) -> bool:
-        """Whether it is 0 at none of the roots; where the polynomial has factors, it may be 0 at some."""
+        """Tell whether the number is 0 at none of the roots of the modulus, and so has an inverse.
+
+        If the modulus has factors, the number may be 0 at some of its roots and not at others.
+        """
         return bool(self._norm().gcd(self.ring.modulus) == 1)
 
     def _norm(self) -> fmpq_poly:
-        """Its product with a − b m."""
+        """Return the norm, the product with a − b m."""
         return (self.a * self.a - self.ring.square * (self.b * self.b)) % self.ring.modulus
 
     def conjugate(self) -> "Element":
-        """With −λ1 and −λ2 in the place of λ1 and λ2, as for imaginary eigenvalues."""
+        """Return the number with −λ1 and −λ2 for λ1 and λ2, the complex conjugate if these are imaginary."""
         return Element(self.ring, _reflected(self.a), _reflected(self.b))
 
     def rational(self) -> fmpq:
-        """The number that it is proved to be.
+        """Return the rational number that this number is.
 
         Raises
         ------
         ArithmeticError
-            it is not a rational number
+            the number is not rational
         """
         if self.b or self.a.degree() > 0:
             raise ArithmeticError("a number of eigenvalues is not rational")
@@ -103,13 +107,13 @@ class Element:
 
 
 def eigenvalues_of(p: fmpq, q: fmpq) -> tuple[Element, Element]:
-    """λ1 and λ2 of λ⁴ + p λ² + q, q ≠ 0."""
+    """Return λ1 and λ2 for the polynomial λ⁴ + p λ² + q with q ≠ 0: its roots are ±λ1 and ±λ2."""
     ring = Ring(fmpq_poly([q, 0, p, 0, 1]), q)             # x = λ1, m = λ1 λ2
     return ring.element([0, 1]), ring.element([0], [0, -p / q, 0, -1 / q])
 
 
 def in_ratio(square: fmpq, ratio: int) -> tuple[Element, Element]:
-    """λ1 = ratio λ2, λ2² = square."""
+    """Return λ1 and λ2 with λ1 = ratio λ2 and λ2² = square."""
     ring = Ring(fmpq_poly([-square, 0, 1]), fmpq(0))
     return ring.element([0, ratio]), ring.element([0, 1])
 

@@ -1,7 +1,4 @@
-"""The sign of an expression at exact numbers.
-
-By rational arithmetic, or by proved enclosures and a separation bound.
-"""
+"""The sign of an expression at exact numbers, by fractions, or by balls down to a separation bound."""
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import lru_cache
 from itertools import pairwise
@@ -22,12 +19,12 @@ LIMIT, ALGEBRAIC_LIMIT, FAR = 4096, 2**20, 2**14
 
 
 def sign(expression: Expr, values: Mapping[Symbol, Expr]) -> int | None:
-    """Sign of an expression at a point: exact, or None where it cannot be proved.
+    """Return the sign of an expression at a point, exactly; None if it cannot be proved.
 
-    Exact for rational numbers and for algebraic ones written with roots and with sines and cosines of
-    rational multiples of π, zero included. With transcendental numbers the precision of the enclosure is
-    doubled up to 4096 bits, and a value is 0 if its normal form is
-    (gyrostat.algebra.reals.transcendental); what is neither stays None.
+    The sign is exact, zero included, for rational numbers and for algebraic ones written with roots and with
+    sines and cosines of rational multiples of π. With transcendental numbers the precision of the enclosure
+    is doubled up to 4096 bits, and a value is 0 if its normal form is
+    (gyrostat.algebra.reals.transcendental). If neither decides, the answer is None.
 
     Parameters
     ----------
@@ -54,9 +51,9 @@ def sign(expression: Expr, values: Mapping[Symbol, Expr]) -> int | None:
 
 
 class Point(dict[Symbol, Expr]):
-    """Exact numbers by symbol, the rational ones ready for polynomial arithmetic.
+    """Exact numbers by symbol; the rational ones are ready for polynomial arithmetic.
 
-    The attribute doubt says what is not proved of them; it is "" if everything is.
+    The attribute doubt says what is not proved about them; it is "" if everything is.
     """
 
     def __init__(self, numbers: Mapping[Symbol, Expr], doubt: str = ""):
@@ -66,7 +63,7 @@ class Point(dict[Symbol, Expr]):
         self.rational = {s: fmpq(x.p, x.q) for s, x in self.items() if isinstance(x, Rational)}
 
     def rational_at(self, symbols: Sequence[Symbol]) -> list[fmpq] | None:
-        """The numbers of some symbols, None where one is not given or not rational."""
+        """Return the numbers of some symbols; None if one is not given or not rational."""
         try:
             return [self.rational[s] for s in symbols]
         except KeyError:
@@ -74,15 +71,16 @@ class Point(dict[Symbol, Expr]):
 
 
 def evaluate(expression: Expr, values: Mapping[Symbol, Expr]) -> Expr:
-    """The exact value: a Rational where all numbers are rational and the expression is a fraction of
-    polynomials.
+    """Return the exact value of an expression at a point.
+
+    It is a Rational if all numbers are rational and the expression is a fraction of polynomials.
     """
     given = values if isinstance(values, Point) else Point(values)
     fraction = compiled(expression)
     point = None if fraction is None else given.rational_at(fraction[0])
     if fraction is None or point is None:
         placed = _inserted(expression, values)
-        # doit factors the polynomial of a root once more
+        # only derivatives need doit, which would factor the polynomial of a root once more
         return placed.doit() if fraction is None and placed.has(Derivative, Subs) else placed
     _, top, bottom = fraction
     value = top(*point)
@@ -95,8 +93,9 @@ def evaluate(expression: Expr, values: Mapping[Symbol, Expr]) -> Expr:
 
 
 def _inserted(expression: Expr, values: Mapping[Symbol, Expr]) -> Expr:
-    """Numbers in the place of symbols, but not of the variable inside the root of a polynomial, which may be
-    one of ours.
+    """Insert numbers for symbols.
+
+    Nothing is inserted for the variable inside the root of a polynomial, which may be one of our symbols.
     """
     roots = {root: Dummy() for root in expression.atoms(CRootOf)}
     placed = expression.xreplace(roots).xreplace(dict(values))
@@ -105,9 +104,9 @@ def _inserted(expression: Expr, values: Mapping[Symbol, Expr]) -> Expr:
 
 @lru_cache(maxsize=4096)
 def compiled(expression: Expr) -> tuple[tuple[Symbol, ...], fmpq_mpoly, fmpq_mpoly | None] | None:
-    """The expression as a fraction of polynomials in its symbols, None where it is none.
+    """Return symbols, numerator and denominator of a fraction of polynomials, None for any other expression.
 
-    A denominator 1 is left out.
+    The denominator 1 is given as None.
     """
     ring = Ring([expression])
     if not all(isinstance(g, Symbol) for g in ring.generators):
@@ -117,9 +116,9 @@ def compiled(expression: Expr) -> tuple[tuple[Symbol, ...], fmpq_mpoly, fmpq_mpo
 
 
 def sign_of_constant(constant: Expr) -> int | None:
-    """Sign of a constant, by enclosures of doubled precision.
+    """Return the sign of a constant, by enclosures of doubled precision; None if it is not proved.
 
-    0 by a separation bound or by the normal form of transcendental numbers.
+    The sign 0 is proved by a separation bound, or by the normal form of transcendental numbers.
     """
     if isinstance(constant, Rational):
         return (constant.p > 0) - (constant.p < 0)
@@ -134,6 +133,7 @@ def sign_of_constant(constant: Expr) -> int | None:
             most = min(4 * least + 256, ALGEBRAIC_LIMIT)
         if least is not None and abs(enclosure) < arb(2) ** -least:
             return 0
+        # the normal form proves 0 where no bound does, or only one that takes too many bits
         far = precision == 256 and (least is None or least > FAR)
         if far and enclosure.is_finite():
             vanishes = loaded("algebra.reals.transcendental:vanishes")
@@ -144,18 +144,18 @@ def sign_of_constant(constant: Expr) -> int | None:
 
 
 def proved_sign(constant: Expr, refusal: Callable[[], Exception] | None = None) -> int:
-    """The sign of a constant on which everything after it depends, or a refusal.
+    """Return the sign of a constant on which everything after it depends, or raise an error.
 
     Parameters
     ----------
     constant : Expr
     refusal : callable or None
-        makes the error to be raised where the sign is not proved; None: a ScopeError
+        makes the error to be raised if the sign is not proved; default: a ScopeError
 
     Raises
     ------
     ScopeError
-        the sign is not proved, and there is no other refusal
+        the sign is not proved, and no other error is asked for
 
     Examples
     --------
@@ -171,14 +171,18 @@ def proved_sign(constant: Expr, refusal: Callable[[], Exception] | None = None) 
 
 
 def sign_changes(signs: Iterable[int | None]) -> int:
-    """Changes of sign from 1 on: in the coefficients, the number of negative roots if all are real."""
+    """Count the changes of sign in 1 and the signs that follow, where 0 and None are skipped.
+
+    By Descartes' rule this is, for the coefficients of det(λ + A), the number of negative eigenvalues of A,
+    if all eigenvalues are real.
+    """
     return sum(a != b for a, b in pairwise([1, *filter(None, signs)]))
 
 
 def is_identically_zero(expression: Expr) -> bool | None:
-    """Whether an expression is 0 at all values of its symbols: every coefficient of its numerator is.
+    """Tell whether an expression is 0 at all values of its symbols; None if that is not proved.
 
-    None where that is not proved.
+    It is if every coefficient of its numerator is 0.
     """
     ring = Ring([expression])
     top = ring.numerator(expression)
@@ -190,7 +194,7 @@ def is_identically_zero(expression: Expr) -> bool | None:
 
 
 def plain(constant: Expr) -> Expr:
-    """0, 1 or -1 in place of a constant that is proved to be that number; anything else as it is."""
+    """Return 0, 1 or −1 for a constant that is proved to be that number, and any other one as it is."""
     if constant.free_symbols or isinstance(constant, Rational):
         return constant
     if not (near := ball(constant, 64)).is_finite():

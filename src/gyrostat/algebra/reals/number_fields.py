@@ -1,4 +1,4 @@
-"""The field of a root of an irreducible polynomial over ℚ."""
+"""Arithmetic in the field of a root of an irreducible polynomial over ℚ: quotients and common divisors."""
 from flint import fmpq_mat, fmpq_mpoly, fmpq_poly
 from sympy import Add, Expr, Mul
 
@@ -6,15 +6,15 @@ from ..enclosures.rationals import to_sympy
 
 
 def in_one(polynomial: fmpq_mpoly, index: int) -> fmpq_poly:
-    """As a polynomial in one generator, with 0 for the others."""
+    """Return a polynomial in several generators as one in one of them, with 0 for the others."""
     coefficients = {e[index]: c for e, c in polynomial.to_dict().items() if sum(e) == e[index]}
     return fmpq_poly([coefficients.get(n, 0) for n in range(max(coefficients, default=-1) + 1)])
 
 
 def divided(tops: list[fmpq_poly], under: fmpq_poly, modulus: fmpq_poly) -> list[fmpq_poly]:
-    """Quotients in the field of a root of an irreducible polynomial: top = quotient·under + rest·modulus.
+    """Return quotients in the field of a root of the modulus: top = quotient·under + rest·modulus.
 
-    By one linear system: an inverse would be much longer than the quotients are.
+    One linear system gives them all. The inverse of `under` would be much longer than the quotients are.
 
     Examples
     --------
@@ -32,17 +32,19 @@ def divided(tops: list[fmpq_poly], under: fmpq_poly, modulus: fmpq_poly) -> list
 
 
 def at_root(polynomial: fmpq_poly, root: Expr) -> Expr:
-    """The value at a root."""
+    """Return the value of a polynomial at a root, as an expression."""
     return Add(*(Mul(to_sympy(c), root**n) for n, c in enumerate(polynomial.coeffs()) if c))
 
 
 def common_divisor(f: list[fmpq_poly], g: list[fmpq_poly], modulus: fmpq_poly) -> list[fmpq_poly]:
-    """The greatest one of two polynomials over the field, monic; coefficients from the constant term.
+    """Return the monic greatest common divisor of two polynomials over the field, by Euclid's algorithm.
+
+    Coefficients stand from the constant term on.
 
     Examples
     --------
-    >>> x, one = fmpq_poly([0, 1]), fmpq_poly([1])
-    >>> common_divisor([-2 * one, 0 * one, one], [x, one], fmpq_poly([-2, 0, 1]))
+    >>> x, one, modulus = (fmpq_poly(c) for c in ([0, 1], [1], [-2, 0, 1]))
+    >>> common_divisor([-2 * one, 0 * one, one], [x, one], modulus)
     [x, 1]
     """
     while g := _monic(g, modulus):

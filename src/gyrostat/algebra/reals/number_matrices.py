@@ -1,4 +1,4 @@
-"""Rank, kernel and negative squares of matrices of exact numbers, each zero proved."""
+"""Rank, kernel and negative squares (index of inertia) of matrices of exact numbers, each zero proved."""
 from flint import fmpq_mat
 from sympy import Expr, Matrix, Rational
 
@@ -8,16 +8,16 @@ from .exact import evaluate, sign_changes, sign_of_constant
 
 
 class NotProvedError(ArithmeticError):
-    """Whether an entry is 0 is not proved."""
+    """It is not proved whether an entry is 0."""
 
 
 def exact(x: Expr) -> Expr:
-    """The number in its shortest form."""
+    """Return a number as a Rational if it is written with rationals alone, and any other one as it is."""
     return evaluate(x, {})
 
 
 def rank(matrix: Matrix) -> int:
-    """The rank; NotProvedError if a pivot is not proved to be 0 or not.
+    """Return the rank; raise NotProvedError if a pivot is not proved to be 0 or not to be 0.
 
     Examples
     --------
@@ -31,20 +31,20 @@ def rank(matrix: Matrix) -> int:
 
 
 def kernel(matrix: Matrix) -> Matrix:
-    """Columns that span {x : matrix x = 0}; NotProvedError as for the rank."""
+    """Return columns that span {x : matrix x = 0}; NotProvedError is raised as for the rank."""
     found = matrix.nullspace(simplify=exact, iszerofunc=_is_zero)
     return Matrix.hstack(Matrix(matrix.cols, 0, []), *found).applyfunc(exact)
 
 
 def form_on(form: Matrix, columns: Matrix) -> Matrix:
-    """The bilinear form on the span of some columns."""
+    """Return the matrix of a bilinear form on the span of some columns."""
     return (columns.T * form * columns).applyfunc(exact)
 
 
 def negative_squares(form: Matrix) -> int:
-    """How many a symmetric matrix has.
+    """Return the number of negative squares of a symmetric matrix.
 
-    The changes of sign in its characteristic polynomial: Descartes' rule is exact where all roots are real.
+    It is the number of changes of sign in det(λ + A): Descartes' rule is exact, since all roots are real.
 
     Examples
     --------

@@ -1,10 +1,10 @@
-"""Zero among transcendental numbers, by a normal form: π, exponentials, sines, logarithms as variables.
+"""Proves zeros among transcendental numbers by a normal form in π, exponentials, sines and logarithms.
 
 A constant is written as a fraction of polynomials in π, in e^(1/n), in cos(1/n) and sin(1/n), and in the
-logarithms of integers without common factors; sin² is 1 − cos². It is 0 if every coefficient is. The converse
-holds where the variables are algebraically independent: one of them alone; exponentials, sines and cosines of
-rational numbers together (Lindemann and Weierstrass); logarithms of rationals to the first power (Baker).
-Beyond those a constant that is 0 may not be found to be.
+logarithms of integers without common factors; sin² is 1 − cos². It is 0 if every coefficient is 0. The
+converse holds if the variables are algebraically independent: one of them alone; exponentials, sines and
+cosines of rational numbers together (Lindemann and Weierstrass); logarithms of rationals to the first power
+(Baker). Beyond these cases a constant that is 0 may not be recognised.
 """
 from collections import defaultdict
 from collections.abc import Callable, Sequence
@@ -27,7 +27,7 @@ Root = tuple[int, Fraction, fmpq_mpoly, Expr]            # q, N/D, g, its meanin
 
 
 def vanishes(constant: Expr, sign: Callable[[Expr], int | None]) -> bool:
-    """Whether a constant is proved to be 0 by its normal form.
+    """Tell whether a constant is proved to be 0 by its normal form.
 
     Parameters
     ----------
@@ -58,9 +58,10 @@ def vanishes(constant: Expr, sign: Callable[[Expr], int | None]) -> bool:
 
 
 class _Form:
-    """The ring of one constant.
+    """The polynomial ring in which one constant is written.
 
-    A variable for each of its independent parts, and one for each other part that has no normal form.
+    It has a variable for each independent part of the constant, and one for each other part that has no
+    normal form.
     """
 
     def __init__(self, constant: Expr, sign: Callable[[Expr], int | None]):
@@ -89,7 +90,7 @@ class _Form:
                                           for c, s, value in turned]
 
     def _relate(self, place: int, node: Expr) -> None:
-        """Reduce by what a root satisfies over those inside it, if that has no denominator."""
+        """Enter the relation that a root satisfies over those inside it, if it has no denominator."""
         g = self._gens[node]
         if isinstance(node, CRootOf):
             self._solves(place, g, node.poly.all_coeffs()[::-1])
@@ -101,7 +102,7 @@ class _Form:
                 self._ring.relate(place, int(node.exp.q), g ** int(node.exp.q) - top / bottom)
 
     def _solves(self, place: int, g: fmpq_mpoly, coefficients: Sequence[Expr]) -> None:
-        """The relation of a root of a polynomial over ℚ, or of a monic one."""
+        """Enter the relation of a root of a polynomial over ℚ, or of a monic one."""
         parts = [self.fraction(c) for c in coefficients]
         if all(below.is_constant() for _, below in parts):
             lead = parts[-1][0] / parts[-1][1]
@@ -109,7 +110,7 @@ class _Form:
                 (above / (below * lead) * g**n for n, (above, below) in enumerate(parts)), self._zero))
 
     def fraction(self, node: Expr) -> Fraction:
-        """Numerator and denominator in the variables."""
+        """Return numerator and denominator of a part of the constant, in the variables."""
         if node in self._gens:
             return self._gens[node], self._one
         if isinstance(node, Rational):
@@ -141,7 +142,7 @@ class _Form:
         return self._ring.power((top, bottom), abs(n))
 
     def numerator(self, constant: Expr) -> fmpq_mpoly:
-        """What has to vanish, without the denominators that divide it."""
+        """Return what has to vanish: the numerator, divided by the denominators that divide it."""
         top = self.fraction(constant)[0]
         for divisor in self._below:
             while top and not divisor.is_constant() and not (parts := divmod(top, divisor))[1]:
@@ -149,7 +150,7 @@ class _Form:
         return top
 
     def _turned(self, node: Expr) -> tuple[Fraction, Fraction]:
-        """cos and sin of a sum, by the addition theorems."""
+        """Return cos and sin of a sum, by the addition theorems."""
         c, s = (self._one, self._one), (self._zero, self._one)
         for coefficient, rest in multiples(node):
             if rest is S.Pi:
@@ -162,7 +163,7 @@ class _Form:
         return c, s
 
     def _multiple(self, rest: Expr, n: int) -> tuple[Fraction, Fraction]:
-        """cos(n x) = T(c) and sin(n x) = s U(c), Chebyshev's polynomials."""
+        """Return cos(n x) = T(c) and sin(n x) = s U(c) by the recurrence of Chebyshev's polynomials."""
         if abs(n) > MULTIPLE:
             raise OverflowError
         c, s = self._gens[cos, rest], self._gens[sin, rest]
@@ -172,9 +173,10 @@ class _Form:
         return (here[0], self._one), (s * here[1] * (1 if n > 0 else -1), self._one)
 
     def is_zero(self, polynomial: fmpq_mpoly, roots: list[Root]) -> bool:
-        """Whether a polynomial is proved to vanish at the meaning of its variables.
+        """Tell whether a polynomial is proved to vanish at the numbers that its variables stand for.
 
-        Roots are eliminated, outer ones first.
+        The roots are eliminated, outer ones first: with g² = N/D, a + b g is 0 if a² D = b² N and the signs
+        of a and −b g agree.
         """
         if not polynomial or not roots:
             return not polynomial or self._coefficients_are_zero(polynomial)
@@ -198,7 +200,7 @@ class _Form:
         return first is not None and second is not None and root is not None and first == -second * root
 
     def _coefficients_are_zero(self, polynomial: fmpq_mpoly) -> bool:
-        """Whether all coefficients of the monomials in the transcendental variables are 0."""
+        """Tell whether all coefficients of the monomials in the transcendental variables are 0."""
         groups: defaultdict[tuple[int, ...], dict[tuple[int, ...], fmpq]] = defaultdict(dict)
         for exponents, c in polynomial.to_dict().items():
             kind = tuple(0 if own else e for e, own in zip(exponents, self._algebraic))

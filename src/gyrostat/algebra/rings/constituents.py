@@ -1,4 +1,4 @@
-"""What a constant is made of: the angles of its exponentials and sines, its logarithms, its roots."""
+"""Decomposes a constant into the angles of its exponentials and sines, its logarithms and its roots."""
 from collections import defaultdict
 from math import gcd, lcm
 
@@ -9,7 +9,7 @@ from .enclosed_roots import RealRoot
 
 
 class Constituents:
-    """What the variables of its normal form stand for.
+    """The parts of a constant for which the variables of its normal form stand.
 
     Attributes
     ----------
@@ -21,7 +21,8 @@ class Constituents:
     Examples
     --------
     >>> from sympy import pi, sqrt
-    >>> found = Constituents(exp(sqrt(2) / 2) + exp(sqrt(2) / 3) * log(Rational(2, 3)) - pi)
+    >>> halves, thirds = exp(sqrt(2) / 2), exp(sqrt(2) / 3)
+    >>> found = Constituents(halves + thirds * log(Rational(2, 3)) - pi)
     >>> found.units(), found.integers, list(found.plain)
     ({(exp, sqrt(2)): 1/6}, {2, 3}, [pi])
     """
@@ -34,12 +35,12 @@ class Constituents:
         self._collect(constant, set())
 
     def units(self) -> dict[tuple[type, Expr], Rational]:
-        """For each kind of function and each angle the largest fraction of it of which all are multiples."""
+        """Return for each kind and angle the largest fraction of it of which all are multiples."""
         return {key: Rational(gcd(*(int(r.p) for r in angles)), lcm(*(int(r.q) for r in angles)))
                 for key, angles in self._angles.items()}
 
     def _collect(self, node: Expr, seen: set[Expr]) -> None:
-        """Enter what the variables are of, each root after those inside it."""
+        """Enter the parts of a constant, each root after those inside it."""
         if node in seen or isinstance(node, Rational):
             return
         seen.add(node)
@@ -70,7 +71,7 @@ class Constituents:
 
 
 def multiples(function: Expr) -> list[tuple[Rational, Expr]]:
-    """The argument of a function as a sum of rational multiples."""
+    """Return the argument of a function as a sum of rational multiples."""
     argument = S.One if function is S.Exp1 else function.args[0].expand()
     pairs = (term.as_coeff_Mul() for term in Add.make_args(argument))
     return [(r, rest) if isinstance(r, Rational) else (S.One, r * rest) for r, rest in pairs]

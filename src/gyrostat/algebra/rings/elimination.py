@@ -1,13 +1,13 @@
-"""Eliminates the higher powers of t from two polynomials in t."""
+"""Eliminates the higher powers of t from two polynomials in t, by pseudo-division."""
 from flint import fmpq_mpoly
 
 from .polynomials import by_degree
 
 
 def linear(F: fmpq_mpoly, G: fmpq_mpoly, place: int) -> tuple[fmpq_mpoly, fmpq_mpoly]:
-    """(a, b) of a combination a t + b of two polynomials in t, by pseudo-division.
+    """Return (a, b) for a combination a t + b of two polynomials in t; (0, 0) if none is found.
 
-    (0, 0) where none is found.
+    It is a remainder of Euclid's algorithm. Pseudo-division keeps a and b polynomials.
     """
     while G.degrees()[place] > 1 and F.degrees()[place] > 1:
         if F.degrees()[place] < G.degrees()[place]:
@@ -21,7 +21,7 @@ def linear(F: fmpq_mpoly, G: fmpq_mpoly, place: int) -> tuple[fmpq_mpoly, fmpq_m
 
 
 def _remainder(F: fmpq_mpoly, G: fmpq_mpoly, place: int) -> fmpq_mpoly:
-    """Pseudo-remainder of F by G in one generator."""
+    """Return the pseudo-remainder of F by G in one generator."""
     n, t = G.degrees()[place], F.context().gens()[place]
     lead = by_degree(G, place, n)[n]
     while F and (m := F.degrees()[place]) >= n:

@@ -1,4 +1,4 @@
-"""Real roots of polynomials over transcendental numbers such as π, isolated by balls."""
+"""Real roots of polynomials over transcendental numbers such as π, isolated by ball arithmetic."""
 from collections.abc import Sequence
 from functools import lru_cache
 
@@ -12,10 +12,10 @@ NARROW, LARGEST = 1000, 2**14                          # bits: of a root, of coe
 
 
 class RealRoot(Enclosed):
-    """A real root of a polynomial, the n-th from below; all its complex roots are simple.
+    """A real root of a polynomial, the n-th from below; all complex roots are simple.
 
-    Of algebraic coefficients a root is a CRootOf of a polynomial over ℤ; here they are real constants, of
-    which at least one is transcendental.
+    A root of a polynomial with algebraic coefficients is a CRootOf of a polynomial over ℤ. Here the
+    coefficients are real constants, of which at least one is transcendental.
 
     Parameters
     ----------
@@ -36,22 +36,23 @@ class RealRoot(Enclosed):
 
     @property
     def coefficients(self) -> tuple[Expr, ...]:
-        """From the constant term."""
+        """The coefficients, from the constant term on."""
         return tuple(self.args[0])
 
     def enclosed(self, precision: int) -> arb:
-        """An enclosure, not finite where the precision does not isolate the roots."""
+        """Return an enclosure; it is not finite if the precision does not isolate the roots."""
         found = isolated(self.coefficients, precision)
         return arb("nan") if found is None else found[int(self.args[1])]
 
 
 def roots_by_enclosures(coefficients: Sequence[Expr]) -> list[Expr] | None:
-    """The real roots in increasing order, None where they are not proved to be simple.
+    """Return the real roots in increasing order; None if they are not proved to be simple.
 
     Examples
     --------
     >>> from sympy import S, pi
-    >>> [root.evalf(6) for root in roots_by_enclosures([S.One, -pi, S.Zero, S.One])]
+    >>> found = roots_by_enclosures([S.One, -pi, S.Zero, S.One])
+    >>> [root.evalf(6) for root in found]
     [-1.91416, 0.329720, 1.58444]
     """
     monic, scale = _monic(coefficients)
@@ -62,7 +63,10 @@ def roots_by_enclosures(coefficients: Sequence[Expr]) -> list[Expr] | None:
 
 
 def _monic(coefficients: Sequence[Expr]) -> tuple[tuple[Expr, ...], Expr]:
-    """A monic polynomial without new denominators, and by what its roots are divided, a positive number."""
+    """Return a monic polynomial without new denominators, and the positive number that divides its roots.
+
+    With the leading coefficient a and y = a x, aⁿ⁻¹ f(y/a) is monic in y.
+    """
     *rest, lead = coefficients
     if isinstance(lead, Rational):
         return tuple(c / lead for c in coefficients), S.One
@@ -73,7 +77,10 @@ def _monic(coefficients: Sequence[Expr]) -> tuple[tuple[Expr, ...], Expr]:
 
 
 def divided_by_root(coefficients: Sequence[arb], root: arb) -> list[arb]:
-    """A polynomial divided by x − root, by Horner's rule; both from the constant term, no remainder."""
+    """Divide a polynomial by x − root, by Horner's rule; the remainder is dropped.
+
+    Coefficients stand from the constant term on.
+    """
     quotient = [coefficients[-1]]
     for c in coefficients[-2:0:-1]:
         quotient.append(c + root * quotient[-1])
@@ -82,10 +89,10 @@ def divided_by_root(coefficients: Sequence[arb], root: arb) -> list[arb]:
 
 @lru_cache(maxsize=256)
 def isolated(coefficients: tuple[Expr, ...], precision: int) -> list[arb] | None:
-    """Enclosures of the real roots in increasing order; None where the roots are not told apart.
+    """Return enclosures of the real roots in increasing order; None if the roots are not told apart.
 
-    Enclosures of all complex roots are disjoint. One that meets the real line has a real root if its mirror
-    image meets no other: the conjugate of its root lies in both.
+    The enclosures of all complex roots are disjoint. One that meets the real line contains a real root if its
+    mirror image meets no other: the conjugate of its root then lies in both, and so is the same root.
     """
     with own_precision(2 * precision):
         polynomial = arb_poly([ball(c, 2 * precision) for c in coefficients])

@@ -1,4 +1,4 @@
-"""What of an expression becomes a generator of its ring: symbols, roots, sines, exponentials, logarithms."""
+"""Finds the generators of the ring of an expression: symbols, roots, sines, exponentials, logarithms."""
 from flint import fmpz
 from sympy import Add, Expr, Integer, Mul, Pow, Rational, cos, cosh, exp, log, pi, sin, sinh, tan, tanh
 
@@ -37,9 +37,9 @@ def collect(node: Expr, seen: set[Expr], plain: dict[Expr, None], squares: dict[
 
 
 def spelt_once(node: Expr) -> Expr | None:
-    """A logarithm of a rational by those of primes, a sine or tangent of rπ by cosines.
+    """Rewrite the logarithm of a rational by those of primes, a sine or tangent of rπ by cosines.
 
-    None for what is spelt in one way.
+    None if the expression is spelt in one way only.
     """
     if isinstance(node, log) and isinstance(node.args[0], Rational) and node.args[0] > 0:
         parts = [(Integer(int(p)), side * n) for side, x in ((1, node.args[0].p), (-1, node.args[0].q))
@@ -52,7 +52,7 @@ def spelt_once(node: Expr) -> Expr | None:
 
 
 def exponential(node: exp) -> list[tuple[Expr, int]]:
-    """exp(a + n b) as the powers exp(a)¹ exp(b)ⁿ of generators."""
+    """Return exp(a + n b) as the powers exp(a)¹ exp(b)ⁿ of generators."""
     powers = []
     for term in Add.make_args(node.args[0]):
         coefficient, rest = term.as_coeff_Mul()

@@ -1,7 +1,4 @@
-"""Matrices of polynomials.
-
-Products, determinants, characteristic polynomials, kernels, all without fractions.
-"""
+"""Linear algebra over polynomial rings without fractions: determinants, Faddeev-LeVerrier, kernels."""
 import math
 from collections.abc import Callable, Sequence
 from typing import Any
@@ -15,14 +12,17 @@ Key = Callable[[int, fmpq_mpoly], Any]
 
 
 def multiply(ring: Ring, a: Sequence[Row], b: Sequence[Row]) -> list[Row]:
-    """Product of two matrices of polynomials, reduced."""
+    """Return the product of two matrices of polynomials, reduced."""
     columns = list(zip(*b))
     return [[ring.reduce(sum((x * y for x, y in zip(row, column) if x and y), ring.zero))
              for column in columns] for row in a]
 
 
 def determinant(ring: Ring, matrix: Sequence[Row]) -> fmpq_mpoly:
-    """Determinant by expansion along the first row; no division, so that relations do no harm."""
+    """Return the determinant by expansion along the first row.
+
+    It needs no division, so that the relations of the ring do no harm.
+    """
     if not matrix:
         return ring.one
     total = ring.zero
@@ -34,7 +34,7 @@ def determinant(ring: Ring, matrix: Sequence[Row]) -> fmpq_mpoly:
 
 
 def characteristic_coefficients(ring: Ring, matrix: Sequence[Row]) -> list[fmpq_mpoly]:
-    """Coefficients c1, …, cn of det(λ − A) = λⁿ + c1 λⁿ⁻¹ + … + cn (Faddeev, LeVerrier)."""
+    """Return c1, …, cn of det(λ − A) = λⁿ + c1 λⁿ⁻¹ + … + cn (Faddeev, LeVerrier)."""
     size = len(matrix)
     coefficients, power = [], [[ring.one if i == j else ring.zero for j in range(size)] for i in range(size)]
     for n in range(1, size + 1):
@@ -47,7 +47,7 @@ def characteristic_coefficients(ring: Ring, matrix: Sequence[Row]) -> list[fmpq_
 
 
 def characteristic(form: Sequence[Sequence[Expr]]) -> tuple[Expr, ...]:
-    """e1, …, en of det(λ + A) = λⁿ + e1 λⁿ⁻¹ + … + en."""
+    """Return e1, …, en of det(λ + A) = λⁿ + e1 λⁿ⁻¹ + … + en, as expressions."""
     ring = Ring([entry for row in form for entry in row])
     rows, bottom = ring.matrix(form)
     return tuple(ring.quotient((-1) ** n * c, bottom**n)
@@ -55,9 +55,10 @@ def characteristic(form: Sequence[Sequence[Expr]]) -> tuple[Expr, ...]:
 
 
 def row_reduce(ring: Ring, rows: Sequence[Row], key: Key, columns: int) -> list[tuple[int, Row]]:
-    """Fraction-free Gauss-Jordan elimination: (pivot column, row) pairs, the other pivot columns cleared.
+    """Eliminate by Gauss and Jordan without fractions, and return (pivot column, row) pairs.
 
-    The entry with the least key(column, entry) is the next pivot; only the first columns can hold one.
+    In each row the other pivot columns are 0. The next pivot is the entry with the least key(column, entry);
+    only the first columns can hold one.
     """
     left = [row for row in rows if any(row)]
     done: list[tuple[int, Row]] = []
@@ -81,7 +82,7 @@ def _clear(ring: Ring, row: Row, pivot: Row, column: int) -> Row:
 
 
 def primitive(ring: Ring, row: Row) -> Row:
-    """The row divided by the greatest common divisor of its entries, with integer coefficients."""
+    """Return the row divided by the greatest common divisor of its entries."""
     common, numbers = ring.zero, [c for entry in row for c in entry.coeffs()]
     for entry in filter(None, row):
         common = common.gcd(entry) if common else entry
@@ -92,9 +93,9 @@ def primitive(ring: Ring, row: Row) -> Row:
 
 
 def null_space(ring: Ring, rows: Sequence[Row], key: Key, size: int) -> list[tuple[int, Row]]:
-    """Polynomial basis of {v : rows·v = 0}, as (free column, vector) pairs.
+    """Return a polynomial basis of {v : rows·v = 0}, as (free column, vector) pairs.
 
-    The free columns form a diagonal.
+    Each vector is 0 in the free columns of the others.
     """
     reduced = row_reduce(ring, rows, key, size)
     basis = []
@@ -111,10 +112,10 @@ def null_space(ring: Ring, rows: Sequence[Row], key: Key, size: int) -> list[tup
 
 
 def cross(a: Sequence[Any], b: Sequence[Any]) -> tuple[Any, Any, Any]:
-    """a × b."""
+    """Return the cross product a × b."""
     return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]
 
 
 def adjugate(rows: Sequence[Sequence[Any]]) -> list[tuple[Any, Any, Any]]:
-    """Of a symmetric matrix of three rows."""
+    """Return the adjugate of a symmetric matrix of three rows: the cross products of its rows."""
     return [cross(rows[1], rows[2]), cross(rows[2], rows[0]), cross(rows[0], rows[1])]

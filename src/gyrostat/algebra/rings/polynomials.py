@@ -1,8 +1,8 @@
 """Polynomials over ℚ: where expressions become polynomials, are reduced, and become expressions again.
 
 A ring has one generator for each symbol and for each function or constant that is no polynomial, such as
-exp(k3). A square root and a sine carry a relation, g² = …, by which everything is reduced. Matrices share
-one denominator, so that no fraction is ever simplified on the way.
+exp(k3). A square root and a sine carry a relation, g² = …, by which everything is reduced. The entries of a
+matrix share one denominator, so that no fraction is simplified on the way.
 """
 from collections.abc import Iterable, Sequence, Set
 from functools import reduce
@@ -19,11 +19,11 @@ Row = list[fmpq_mpoly]
 
 
 class _ForeignError(KeyError):
-    """A ring is asked for what it was not made for."""
+    """A ring is asked for an expression that it was not made for."""
 
 
 class Ring:
-    """ℚ[generators] / (relations), large enough to hold the expressions given."""
+    """The ring ℚ[generators]/(relations), large enough to hold the expressions given."""
 
     def __init__(self, expressions: Iterable[Expr]):
         squares: dict[Expr, Expr] = {}                 # roots and sines, each after those inside it
@@ -52,7 +52,7 @@ class Ring:
         self._literal = self._meaning == list(self.generators)
 
     def holds(self, expressions: Iterable[Expr]) -> bool:
-        """Whether all of them are fractions in the generators."""
+        """Tell whether all of the expressions are fractions in the generators."""
         try:
             for expression in expressions:
                 self.fraction(expression)
@@ -61,13 +61,13 @@ class Ring:
         return True
 
     def fraction(self, node: Expr) -> tuple[fmpq_mpoly, fmpq_mpoly]:
-        """Numerator and denominator, neither reduced nor sign-normalised."""
+        """Return numerator and denominator, neither reduced nor sign-normalised."""
         if node not in self._memo:
             self._memo[node] = self._convert(node)
         return self._memo[node]
 
     def numerator(self, expression: Expr) -> fmpq_mpoly:
-        """The numerator, reduced: 0 where the expression vanishes identically."""
+        """Return the numerator, reduced: it is 0 if the expression vanishes identically."""
         return self.reduce(self.fraction(expression)[0])
 
     def _convert(self, node: Expr) -> tuple[fmpq_mpoly, fmpq_mpoly]:
@@ -95,7 +95,7 @@ class Ring:
         return top, bottom
 
     def _known(self, node: Expr) -> tuple[fmpq_mpoly, fmpq_mpoly]:
-        """What a generator is."""
+        """Return the fraction that a generator is."""
         if node not in self._memo:
             raise _ForeignError(f"{node} is not in the ring")
         return self._memo[node]
@@ -105,21 +105,21 @@ class Ring:
         return sum((top * (bottom / denominator) for top, denominator in parts), self.zero), bottom
 
     def reduce(self, polynomial: fmpq_mpoly) -> fmpq_mpoly:
-        """Remainder modulo the relations g² = …."""
+        """Return the remainder modulo the relations g² = …."""
         for place, relation in self._relations:
             if polynomial and polynomial.degrees()[place] > 1:
                 polynomial = divmod(polynomial, relation)[1]
         return polynomial
 
     def matrix(self, rows: Sequence[Sequence[Expr]]) -> tuple[list[Row], fmpq_mpoly]:
-        """Reduced polynomial entries over their least common denominator."""
+        """Return reduced polynomial entries and their least common denominator."""
         entries = [[self.fraction(entry) for entry in row] for row in rows]
         bottom = reduce(lcm, (denominator for row in entries for _, denominator in row), self.one)
         return [[self.reduce(top if denominator == bottom else top * (bottom / denominator))
                  for top, denominator in row] for row in entries], bottom
 
     def expression(self, polynomial: fmpq_mpoly) -> Expr:
-        """The SymPy expression, expanded."""
+        """Return the SymPy expression, expanded."""
         terms = []
         for exponents, c in zip(polynomial.monoms(), polynomial.coeffs()):
             powers = [g if e == 1 else Pow(g, Integer(e)) for g, e in zip(self._meaning, exponents) if e]
@@ -127,13 +127,13 @@ class Ring:
         return self._written(Add(*terms), polynomial, self.one)
 
     def _written(self, expression: Expr, top: fmpq_mpoly, bottom: fmpq_mpoly) -> Expr:
-        """An expression that is known when it is read again."""
+        """Remember the fraction of an expression, for when it is read again."""
         if self._literal:
             self._memo.setdefault(expression, (top, bottom))
         return expression
 
     def coefficients(self, polynomial: fmpq_mpoly, moving: Set[Symbol]) -> dict[tuple[int, ...], fmpq_mpoly]:
-        """The polynomial by its monomials in the generators that contain a moving symbol."""
+        """Split the polynomial by its monomials in the generators that contain a moving symbol."""
         places = [bool(g.free_symbols & moving) for g in self.generators]
         groups: dict[tuple[int, ...], dict[tuple[int, ...], fmpq]] = {}
         for exponents, c in polynomial.to_dict().items():
@@ -142,11 +142,11 @@ class Ring:
         return {kind: self._context.from_dict(terms) for kind, terms in groups.items()}
 
     def monomial(self, exponents: Sequence[int]) -> Expr:
-        """Π generatorᵉ."""
+        """Return Π generatorᵉ."""
         return Mul(*(Pow(g, Integer(e)) for g, e in zip(self.generators, exponents) if e))
 
     def quotient(self, top: fmpq_mpoly, bottom: fmpq_mpoly) -> Expr:
-        """The SymPy fraction in lowest terms, denominators factored."""
+        """Return the SymPy fraction in lowest terms, its denominator factored."""
         if not (top := self.reduce(top)):
             return S.Zero
         top, bottom = cancel(top, bottom)
@@ -159,7 +159,7 @@ class Ring:
 
 
 def _name(generator: Expr) -> str:
-    """The text by which generators are ordered; that of a symbol is at hand."""
+    """Return the text by which generators are ordered; a symbol has it without being printed."""
     return generator.name if isinstance(generator, Symbol) else str(generator)
 
 
@@ -172,7 +172,7 @@ def _power(part: tuple[fmpq_mpoly, fmpq_mpoly], n: int) -> tuple[fmpq_mpoly, fmp
 
 
 def lowest_terms(expression: Expr) -> Expr:
-    """The same fraction in lowest terms, its denominator factored.
+    """Return the same fraction in lowest terms, its denominator factored.
 
     Examples
     --------
@@ -186,7 +186,7 @@ def lowest_terms(expression: Expr) -> Expr:
 
 
 def derivatives(f: Expr, variables: Sequence[Symbol]) -> list[Expr]:
-    """∂f/∂x for each variable: of fractions by exponents, of anything but polynomials in them by SymPy."""
+    """Return ∂f/∂x for each variable: by exponents if f is rational in them, else by SymPy."""
     ring = Ring([f])
     top, bottom = ring.fraction(f)
     moving = f.free_symbols & set(variables)
@@ -198,7 +198,7 @@ def derivatives(f: Expr, variables: Sequence[Symbol]) -> list[Expr]:
 
 
 def by_degree(polynomial: fmpq_mpoly, index: int, degree: int) -> list[fmpq_mpoly]:
-    """Coefficients of the powers 0 … degree of one generator."""
+    """Return the coefficients of the powers 0 … degree of one generator."""
     parts: list[dict[tuple[int, ...], Any]] = [{} for _ in range(degree + 1)]
     for exponents, coefficient in polynomial.to_dict().items():
         parts[exponents[index]][exponents[:index] + (0,) + exponents[index + 1:]] = coefficient
@@ -206,22 +206,22 @@ def by_degree(polynomial: fmpq_mpoly, index: int, degree: int) -> list[fmpq_mpol
 
 
 def lcm(a: fmpq_mpoly, b: fmpq_mpoly) -> fmpq_mpoly:
-    """Least common multiple."""
+    """Return the least common multiple."""
     if a == b or b.is_one():
         return a
     return b if a.is_one() else a * (b / a.gcd(b))
 
 
 def cancel(top: fmpq_mpoly, bottom: fmpq_mpoly) -> tuple[fmpq_mpoly, fmpq_mpoly]:
-    """The same fraction in lowest terms."""
+    """Return the same fraction in lowest terms."""
     common = top.gcd(bottom)
     return (top, bottom) if common.is_constant() else (top / common, bottom / common)
 
 
 def by_factors(expression: Expr) -> Expr:
-    """A rational expression as a quotient of products.
+    """Return a rational expression as a quotient of products.
 
-    In doubles they keep their digits close to a zero, what is multiplied out does not.
+    In doubles a product keeps its digits close to a zero; a sum that has been multiplied out does not.
 
     Examples
     --------

@@ -1,4 +1,4 @@
-"""Fractions of polynomials whose variables are algebraic, modulo what those satisfy.
+"""Fractions of polynomials in algebraic variables, reduced modulo the relations that these satisfy.
 
 What would be too much work is refused.
 """
@@ -12,9 +12,9 @@ Fraction = tuple[fmpq_mpoly, fmpq_mpoly]
 
 
 class Quotients:
-    """Sums, products and powers, each reduced by the relations g^q = ….
+    """Sums, products and powers of fractions, each reduced by the relations g^q = ….
 
-    OverflowError beyond the bounds of work.
+    They raise OverflowError beyond the bounds of work.
 
     Examples
     --------
@@ -30,9 +30,9 @@ class Quotients:
         self._relations: list[tuple[int, int, fmpq_mpoly]] = []
 
     def relate(self, place: int, degree: int, relation: fmpq_mpoly) -> None:
-        """A relation of one more variable, over those that have relations already.
+        """Enter the relation of one more variable, over those that have relations already.
 
-        It has its highest power alone, and leads with it.
+        Its leading term is a power of that variable alone.
         """
         self._relations.insert(0, (place, degree, relation))
 
@@ -70,7 +70,7 @@ def _remainder(polynomial: fmpq_mpoly, relation: tuple[int, int, fmpq_mpoly]) ->
 
 
 def _common(a: fmpq_mpoly, b: fmpq_mpoly) -> fmpq_mpoly:
-    """A common factor, the greatest where it is soon found."""
+    """Return a common factor, the greatest one if it is soon found."""
     if a == b:
         return a
     simple = a.is_constant() or b.is_constant() or len(a) * len(b) > SMALL

@@ -1,4 +1,4 @@
-"""Fractions of polynomials over Q in lowest terms, as numbers to compute with."""
+"""Rational functions over ℚ in lowest terms, as numbers to compute with."""
 from typing import Any
 
 from flint import fmpq_mpoly
@@ -7,7 +7,7 @@ from .polynomials import cancel
 
 
 class RationalFunction:
-    """top/bottom.
+    """The fraction top/bottom in lowest terms; the leading coefficient of bottom is 1.
 
     Parameters
     ----------
@@ -17,7 +17,8 @@ class RationalFunction:
     Examples
     --------
     >>> from flint import Ordering, fmpq_mpoly_ctx
-    >>> x, y = (RationalFunction(g, g**0) for g in fmpq_mpoly_ctx.get(("x", "y"), Ordering.lex).gens())
+    >>> generators = fmpq_mpoly_ctx.get(("x", "y"), Ordering.lex).gens()
+    >>> x, y = (RationalFunction(g, g**0) for g in generators)
     >>> found = (1 / x + 1 / y) * (x * y)**2
     >>> found.top, found.bottom
     (x^2*y + x*y^2, 1)

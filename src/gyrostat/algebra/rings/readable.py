@@ -1,4 +1,4 @@
-"""Formulas as a person writes them: products kept, squares completed, denominators split."""
+"""Writes formulas as a person does: products kept, squares completed, denominators split."""
 from functools import lru_cache
 
 from flint import fmpq_mpoly
@@ -12,7 +12,8 @@ from .rational_functions import RationalFunction
 
 @lru_cache(maxsize=1024)
 def readable(expression: Expr) -> Expr:
-    """The same fraction of polynomials, factored, with squares completed and coefficients collected."""
+    """Return the same fraction of polynomials, factored, with squares completed and coefficients collected.
+    """
     if expression.is_Atom:
         return expression
     ring = Ring([expression])
@@ -21,13 +22,13 @@ def readable(expression: Expr) -> Expr:
 
 
 def entries(matrix: ImmutableMatrix) -> ImmutableMatrix:
-    """The same matrix, each entry a sum over its different denominators, as in π3/I3 − (π3 + l)/I1."""
+    """Return the same matrix, each entry a sum over its denominators, as in π3/I3 − (π3 + l)/I1."""
     return ImmutableMatrix(matrix.applyfunc(split))
 
 
 @lru_cache(maxsize=1024)
 def split(entry: Expr) -> Expr:
-    """The same fraction of polynomials as a sum over its different denominators."""
+    """Return the same fraction of polynomials as a sum over its different denominators."""
     if entry.is_Atom:
         return entry
     ring = Ring([entry])
@@ -49,7 +50,7 @@ def _quotient(ring: Ring, top: fmpq_mpoly, bottom: fmpq_mpoly) -> Expr:
 
 
 def _factors(ring: Ring, polynomial: fmpq_mpoly) -> list[Expr]:
-    """The content, then the factors, each written as it reads best."""
+    """Return the content, then the factors, each written as it reads best."""
     content, factors = polynomial.factor()
     parts = []
     for f, n in _paired(factors):
@@ -68,7 +69,7 @@ def _starts_negative(expression: Expr) -> bool:
 
 
 def _paired(factors: list[tuple[fmpq_mpoly, int]]) -> list[tuple[fmpq_mpoly, int]]:
-    """Factors x − y and x + y as the one x² − y²."""
+    """Multiply factors x − y and x + y into the one x² − y²."""
     result: list[tuple[fmpq_mpoly, int]] = []
     for f, n in factors:
         partner = next((g for g, m in result if m == int(n) and len(g) == len(f) == 2 and len(f * g) == 2),
@@ -79,7 +80,7 @@ def _paired(factors: list[tuple[fmpq_mpoly, int]]) -> list[tuple[fmpq_mpoly, int
 
 
 def _completed(ring: Ring, factor: fmpq_mpoly) -> Expr | None:
-    """The polynomial with the square completed that leaves least, None where none makes it shorter."""
+    """Complete the square that leaves least; None if none makes the polynomial shorter."""
     best, found = len(factor), None
     for index, (g, degree) in enumerate(zip(ring.generators, factor.degrees())):
         if degree != 2 or not isinstance(g, Symbol):
@@ -100,7 +101,7 @@ def _completed(ring: Ring, factor: fmpq_mpoly) -> Expr | None:
 
 
 def _collected(ring: Ring, polynomial: fmpq_mpoly) -> Expr:
-    """Collected by the monomials in everything but k3 and the moments of inertia."""
+    """Collect by the monomials in everything but k3 and positive symbols, such as moments of inertia."""
     moving = {s for g in ring.generators for s in g.free_symbols if not s.is_positive and s.name != "k3"}
     terms = []
     for kind, coefficient in ring.coefficients(polynomial, moving).items():
@@ -117,9 +118,9 @@ def _collected(ring: Ring, polynomial: fmpq_mpoly) -> Expr:
 
 @lru_cache(maxsize=4096)
 def term_order(term: Expr) -> tuple[tuple[int, str, int], ...]:
-    """Where a term stands in a sum.
+    """Return the key that says where a term stands in a sum.
 
-    Constants, then momenta, rates, parameters, k and U, as in notation.py.
+    Constants come first, then momenta, rates, parameters, k and U, as in notation.py.
     """
     symbols = {s for s in term.free_symbols if not s.is_positive} or term.free_symbols
     return tuple(sorted(order(s.name) for s in symbols))

@@ -1,4 +1,4 @@
-"""Truncated power series in four variables, over any ring of numbers: fractions, balls, algebraic numbers."""
+"""Truncated power series in four variables over any ring of numbers: fractions, balls, algebraic numbers."""
 import operator
 from collections.abc import Callable, Collection, Mapping, Sequence
 from functools import lru_cache, reduce
@@ -15,7 +15,7 @@ X = Symbol("x", real=True)
 
 
 class Series:
-    """Homogeneous parts of degree 0 to n; what is above n is left out.
+    """A power series by its homogeneous parts of degree 0 to n; what is above n is dropped.
 
     Parameters
     ----------
@@ -49,15 +49,15 @@ class Series:
         return Series(found)
 
     def scaled(self, number: Any) -> "Series":
-        """The product with a number."""
+        """Return the product with a number."""
         return Series([{e: c * number for e, c in part.items()} for part in self.parts])
 
     def shifted(self, number: Any) -> "Series":
-        """The sum with a number."""
+        """Return the sum with a number."""
         return Series([added({0: number}, self.parts[0]), *self.parts[1:]])
 
     def of(self, coefficients: Sequence[Any]) -> "Series":
-        """Σ coefficients[n] δⁿ, δ this series without its constant."""
+        """Return Σ coefficients[n] δⁿ by Horner's rule, where δ is this series without its constant."""
         step, found = Series([{}, *self.parts[1:]]), Series([{} for _ in self.parts])
         for c in reversed(coefficients):
             found = (found * step).shifted(c)
@@ -65,29 +65,29 @@ class Series:
 
 
 def variable(place: int, degree: int, start: Any) -> Series:
-    """start + y, y one of the variables."""
+    """Return start + y, where y is one of the variables."""
     return powers(place, [start, start**0, *[0] * (degree - 1)])
 
 
 def powers(place: int, coefficients: Sequence[Any]) -> Series:
-    """Σ coefficients[n] yⁿ, y one of the variables."""
+    """Return Σ coefficients[n] yⁿ, where y is one of the variables."""
     return Series([{} if is_zero(c) and n else {n << 4 * place: c} for n, c in enumerate(coefficients)])
 
 
 def added(a: Part, b: Part) -> Part:
-    """The first with the second added to it."""
+    """Add the second part to the first, in place, and return it."""
     for e, c in b.items():
         a[e] = a[e] + c if e in a else c
     return a
 
 
 def is_zero(x: Any) -> bool:
-    """Whether a number is exactly 0; a ball about 0 is not."""
+    """Tell whether a number is exactly 0; a ball about 0 is not."""
     return bool(x == 0)
 
 
 def product(a: Part, b: Part, wanted: Collection[int] | None = None) -> Part:
-    """Of two parts, or the wanted terms of it."""
+    """Return the product of two parts, or its wanted terms alone."""
     found: Part = {}
     for e, c in a.items():
         for f, d in b.items():
@@ -99,7 +99,7 @@ def product(a: Part, b: Part, wanted: Collection[int] | None = None) -> Part:
 
 
 def substituted(part: Part, forms: Sequence[Part], wanted: Collection[int] | None = None) -> Part:
-    """A part with linear forms in the place of the variables, or the wanted terms of it."""
+    """Insert linear forms for the variables of a part, and return all terms, or the wanted ones alone."""
     if not forms:
         return part
     groups: dict[int, Part] = {}                       # by the exponent of the first variable
@@ -117,7 +117,7 @@ def substituted(part: Part, forms: Sequence[Part], wanted: Collection[int] | Non
 
 
 def composed(expression: Expr, places: Mapping[Symbol, Series], number: Callable[[Expr], Any]) -> Series:
-    """An expression with series in the place of some symbols.
+    """Expand an expression with series in the place of some symbols.
 
     Parameters
     ----------
@@ -125,7 +125,7 @@ def composed(expression: Expr, places: Mapping[Symbol, Series], number: Callable
         its functions and roots are expanded in balls
     places : mapping of Symbol to Series
     number : callable
-        what an expression in the other symbols is in the ring
+        turns an expression in the other symbols into a number of the ring
     """
     if expression in places:
         return places[expression]
@@ -151,7 +151,7 @@ def composed(expression: Expr, places: Mapping[Symbol, Series], number: Callable
 
 @lru_cache(maxsize=64)
 def _derivatives(function: Expr, degree: int) -> list[Expr]:
-    """A function of X and its derivatives."""
+    """Return a function of X and its derivatives up to a degree."""
     found = [function]
     for _ in range(degree):
         found.append(found[-1].diff(X))

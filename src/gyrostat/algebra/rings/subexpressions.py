@@ -1,9 +1,9 @@
-"""The parts of one kind in an expression, in an order that does not change from run to run."""
+"""Lists the parts of one kind in an expression, in an order that does not change from run to run."""
 from sympy import Expr, preorder_traversal
 
 
 def occurring(expression: Expr, *kinds: type) -> list[Expr]:
-    """The different parts of these kinds, in the order in which they stand.
+    """Return the different parts of these kinds, in the order in which they stand.
 
     SymPy's own atoms and free_symbols are sets of texts and objects: PYTHONHASHSEED changes their order.
 

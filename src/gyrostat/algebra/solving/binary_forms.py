@@ -1,4 +1,8 @@
-"""Forms in two variables: the signs they take, and the lowest value along the valley of a sum of forms."""
+"""Binary forms: the signs that they take, and the lowest value along the valley of a sum of forms.
+
+The signs of a form are those between its real roots, on the line x = 1. The valley is expanded as in the
+splitting lemma: x is eliminated by the power series along which the slope in x is 0.
+"""
 from collections.abc import Iterator, Mapping, Sequence
 
 from flint import arb
@@ -15,7 +19,7 @@ Y, FINEST = Dummy("y", real=True), 10                  # how often a range of di
 
 
 def values_of(form: Form, degree: int) -> set[int]:
-    """The signs that a homogeneous form takes away from 0, each proved.
+    """Return the signs that a homogeneous form takes away from 0, each proved.
 
     Raises
     ------
@@ -30,7 +34,7 @@ def values_of(form: Form, degree: int) -> set[int]:
     {1}
     """
     scale = next(iter(form.values()))
-    # x = 1; the direction x = 0 comes last
+    # on the line x = 1; the direction x = 0, which it does not meet, comes last
     line = sum((lowest_terms(c / scale) * Y**j for (_, j), c in form.items()), S.Zero)
     try:
         roots = real_roots(line, Y) or []
@@ -46,9 +50,9 @@ def values_of(form: Form, degree: int) -> set[int]:
 
 
 def _values_in_balls(form: Form, degree: int) -> set[int]:
-    """The same by enclosures of the form over ranges of directions.
+    """Return the signs by enclosures of the form over ranges of directions.
 
-    It does not find single directions of value 0.
+    Single directions of value 0 are not found.
     """
     values: set[int] = set()
     unknown = False
@@ -68,19 +72,20 @@ def _values_in_balls(form: Form, degree: int) -> set[int]:
             else:
                 unknown = True
     if unknown and -1 not in values:
-        raise ScopeError("coefficients are transcendental, and the leading form is 0 along a direction, or "
-                         "almost")
+        raise ScopeError("the leading form has transcendental coefficients and is 0 along a direction, or "
+                         "almost, so that its signs are not proved: round its numbers to decimals")
     return values | ({0} if unknown else set()) | ({-v for v in values} if degree % 2 else set())
 
 
 def valley(forms: Sequence[Form]) -> Iterator[Expr]:
-    """Coefficients of y³, y⁴, … in the lowest value over x, where the second form is a square.
+    """Yield the coefficients of y³, y⁴, … in the lowest value over x, if the second form is a square.
 
     The second form is a x² after a shear, and after x and y are exchanged if there is no x² in it.
 
     Examples
     --------
-    >>> list(valley([{}, {}, {(2, 0): S.One}, {(1, 2): 2 * S.One}, {(0, 4): S.One}]))          # (x + y²)²
+    >>> square, mixed = {(2, 0): S.One}, {(1, 2): 2 * S.One}
+    >>> list(valley([{}, {}, square, mixed, {(0, 4): S.One}]))    # (x + y²)²
     [0, 0]
     """
     if (2, 0) not in forms[2]:
@@ -102,7 +107,7 @@ def valley(forms: Sequence[Form]) -> Iterator[Expr]:
 
 
 def _power(series: Sequence[Expr], exponent: int, n: int) -> Expr:
-    """The coefficient of yⁿ in a power of a series."""
+    """Return the coefficient of yⁿ in a power of a series."""
     if exponent == 0:
         return S.One if n == 0 else S.Zero
     return sum((series[m] * _power(series, exponent - 1, n - m) for m in range(2, min(len(series), n + 1))),

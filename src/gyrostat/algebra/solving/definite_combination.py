@@ -1,4 +1,4 @@
-"""Which combination of symmetric matrices is definite, with rational coefficients that are proved."""
+"""Finds a definite combination of symmetric matrices, with rational coefficients that are proved."""
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from operator import mul
@@ -17,11 +17,12 @@ SIMPLEST = (1, 10, 10**3, 10**6, 10**12)                   # denominators that a
 
 def definite_combination(form: ImmutableMatrix,
                          others: Sequence[ImmutableMatrix]) -> tuple[Rational, ...] | None:
-    """Rational numbers a with form + Σ aᵢ othersᵢ definite, of either sign; None if none are found.
+    """Return rational a with form + Σ aᵢ othersᵢ definite, of either sign; None if none are found.
 
-    They are searched in floats, a vector at which the sum is not positive corrects them (the perceptron's
-    rule), and what is found is proved. Then along each matrix alone, which is complete: a matrix ceases to be
-    definite where the determinant vanishes, and between its roots one number is tried.
+    They are searched in floats, where a vector at which the sum is not positive corrects them (the
+    perceptron's rule), and what is found is proved. If nothing is found, each matrix is tried alone, which is
+    complete: a matrix ceases to be definite where its determinant vanishes, and one number is tried between
+    any two roots.
 
     Parameters
     ----------
@@ -51,7 +52,8 @@ def definite_combination(form: ImmutableMatrix,
 
 
 def definite(form: ImmutableMatrix) -> int:
-    """The sign of a definite matrix by its leading principal minors, 0 if it is not proved to be definite."""
+    """Return the sign of a definite matrix by its leading principal minors, 0 if it is not proved definite.
+    """
     signs = [sign_of_constant(form[:n, :n].det(method="berkowitz")) for n in range(1, form.rows + 1)]
     if all(s == 1 for s in signs):
         return 1
@@ -59,18 +61,18 @@ def definite(form: ImmutableMatrix) -> int:
 
 
 def _along(form: ImmutableMatrix, other: ImmutableMatrix) -> Iterator[Rational]:
-    """One number in each interval between the roots of the determinant of form + a other."""
+    """Yield one number in each interval between the roots of the determinant of form + a other."""
     a = Dummy("a")
     try:
         roots = real_roots((form + a * other).det(method="berkowitz").expand(), a)
-    except ScopeError:                                     # a transcendental determinant: not known
+    except ScopeError:                                     # a transcendental determinant: no roots known
         return
     ends = [] if roots is None else [-oo, *roots, oo]      # none: singular for every a
     yield from (between(low, high) for low, high in zip(ends, ends[1:]))
 
 
 def _searched(form: ImmutableMatrix, others: Sequence[ImmutableMatrix]) -> Iterator[tuple[Rational, ...]]:
-    """What is definite in floats, with short denominators first."""
+    """Yield coefficients that are definite in floats, with short denominators first."""
     stack = [[[float(ball(x, 64).mid()) for x in row] for row in matrix.tolist()]
              for matrix in (form, *others)]
     sizes = [sum(x * x for row in matrix for x in row) ** 0.5 or 1.0 for matrix in stack]
@@ -90,7 +92,7 @@ def _searched(form: ImmutableMatrix, others: Sequence[ImmutableMatrix]) -> Itera
 
 
 def _not_positive(form: list[list[float]]) -> list[float] | None:
-    """A vector at which a form is not positive, by elimination; None where it is definite."""
+    """Return a vector at which a form is not positive, by Gaussian elimination; None if it is definite."""
     vectors = [[float(i == j) for j in range(len(form))] for i in range(len(form))]
     for i, row in enumerate(form):
         if row[i] <= 0:

@@ -1,4 +1,4 @@
-"""What is known of the sign of a polynomial: by assumption, by its form, on the domain of a family."""
+"""Signs of polynomials on a domain: by their factors, by the signs of terms, and by discriminants."""
 from collections.abc import Iterable, Sequence
 from math import prod
 
@@ -11,7 +11,7 @@ Factors = dict[str, fmpq_mpoly]
 
 
 class Signs:
-    """Signs of polynomials of a ring where every expression of the domain is positive."""
+    """The signs of polynomials of a ring where every expression of a domain is positive."""
 
     def __init__(self, ring: Ring, domain: Iterable[Expr] = ()):
         self.ring = ring
@@ -38,33 +38,33 @@ class Signs:
 
     @classmethod
     def over(cls, expressions: Iterable[Expr], domain: Iterable[Expr] = ()) -> "Signs":
-        """In a ring that holds some expressions and the domain."""
+        """Make the signs in a ring that holds some expressions and the domain."""
         domain = tuple(domain)
         return cls(Ring([*expressions, *domain]), domain)
 
     def of(self, polynomial: fmpq_mpoly, deep: bool = True) -> int | None:
-        """1, 0 or -1 where the sign is the same on the whole domain, else None."""
+        """Return 1, 0 or −1 if the sign is the same on the whole domain, else None."""
         if not polynomial:
             return 0
         sign, odd, even = self._factors(polynomial, self.ring.one, deep)
         return None if odd or even else sign
 
     def nonnegative(self, polynomial: fmpq_mpoly) -> bool:
-        """Whether the polynomial is a positive multiple of a square, or zero."""
+        """Tell whether the polynomial is found to be a positive multiple of a square, or zero."""
         if not polynomial:
             return True
         sign, odd, _ = self._factors(polynomial, self.ring.one)
         return sign > 0 and not odd
 
     def nonzero(self, polynomial: fmpq_mpoly) -> bool:
-        """Whether the polynomial vanishes nowhere on the domain."""
+        """Tell whether the polynomial is found to vanish nowhere on the domain."""
         if not polynomial:
             return False
         _, odd, even = self._factors(polynomial, self.ring.one)
         return not even and odd.keys() <= self._nonzero
 
     def split(self, top: fmpq_mpoly, bottom: fmpq_mpoly) -> tuple[fmpq_mpoly, tuple[fmpq_mpoly, ...]]:
-        """Margin normal form of a fraction: the margin, and the even factors that may vanish.
+        """Return the margin normal form of a fraction: the margin, and the even factors that may vanish.
 
         The sign of the fraction is 0 where one of those vanishes, else the sign of the margin, which is the
         primitive integer polynomial of the factors of odd multiplicity that have no known sign.
@@ -76,17 +76,18 @@ class Signs:
         return prod(odd.values(), start=self.ring.one * sign), tuple(even[name] for name in sorted(even))
 
     def margin(self, expression: Expr) -> tuple[fmpq_mpoly, tuple[fmpq_mpoly, ...]]:
-        """Margin normal form of an expression."""
+        """Return the margin normal form of an expression."""
         return self.split(*self.ring.fraction(expression))
 
     def normal_form(self, expression: Expr) -> tuple[Expr, tuple[Expr, ...]]:
-        """Margin normal form of an expression, as expressions.
+        """Return the margin normal form of an expression, as expressions.
 
         Examples
         --------
         >>> from sympy import symbols
         >>> x, y = symbols("x y", real=True)
-        >>> Signs.over([x * y**2 / (1 + x**2)]).normal_form(x * y**2 / (1 + x**2))
+        >>> f = x * y**2 / (1 + x**2)
+        >>> Signs.over([f]).normal_form(f)
         (x, (y,))
         """
         margin, even = self.margin(expression)
@@ -94,7 +95,7 @@ class Signs:
 
     def _factors(self, top: fmpq_mpoly, bottom: fmpq_mpoly,
                  deep: bool = True) -> tuple[int, Factors, Factors]:
-        """Sign, odd factors, and even factors of top, without those of known sign."""
+        """Return the sign, the odd factors, and the even factors of top, without those of known sign."""
         sign: int = 1
         odd: Factors = {}
         even: Factors = {}
@@ -116,7 +117,7 @@ class Signs:
         return sign, odd, even
 
     def _factorization(self, polynomial: fmpq_mpoly) -> tuple[fmpq, list[tuple[str, fmpq_mpoly, int]]]:
-        """Content, and the factors with their names and multiplicities."""
+        """Return the content, and the factors with their names and multiplicities."""
         if polynomial.is_constant():
             return polynomial.leading_coefficient(), []
         name = str(polynomial)
@@ -126,7 +127,7 @@ class Signs:
         return self._factored[name]
 
     def _quadratic(self, name: str, polynomial: fmpq_mpoly) -> int:
-        """±1 for a quadratic in one generator whose discriminant is negative on the whole domain, else 0."""
+        """Return ±1 for a quadratic in one generator of negative discriminant on the domain, else 0."""
         if name not in self._quadratics:
             found = (self._definite(polynomial, index)
                      for index, degree in enumerate(polynomial.degrees()) if degree == 2)
@@ -134,7 +135,7 @@ class Signs:
         return self._quadratics[name]
 
     def _definite(self, polynomial: fmpq_mpoly, index: int) -> int:
-        """The sign of a quadratic in one generator whose discriminant is negative, else 0."""
+        """Return the sign of a quadratic in one generator if its discriminant is negative, else 0."""
         sign = self.of(polynomial.derivative(index).derivative(index), deep=False)
         if not sign:
             return 0
@@ -142,7 +143,7 @@ class Signs:
         return sign if self.of(b**2 - 4 * a * c, deep=False) == -1 else 0
 
     def _form(self, name: str, polynomial: fmpq_mpoly) -> int:
-        """±1 if all terms have that sign and one of them cannot vanish, else 0."""
+        """Return ±1 if all terms have that sign and one of them cannot vanish, else 0."""
         if name not in self._forms:
             self._forms[name] = _form(polynomial, self._positive)
         return self._forms[name]

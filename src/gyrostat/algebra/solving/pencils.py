@@ -1,4 +1,4 @@
-"""Where a symmetric pencil of matrices takes a point of a sphere to a given vector."""
+"""Points of a sphere that a symmetric pencil of matrices takes to a given vector, by its adjugate."""
 from collections.abc import Iterator
 
 from sympy import Add, Expr, Matrix, S, Symbol, eye, sqrt
@@ -12,10 +12,11 @@ Found = tuple[Expr, tuple[Expr, ...], tuple[Expr, ...] | None]
 
 
 def points_on_sphere(pencil: Matrix, vector: Matrix, radius: Expr, nu: Symbol) -> Iterator[Found]:
-    """ν and x of every solution of pencil(ν) x = vector with abs(x) = radius; complete.
+    """Yield ν and x of every solution of pencil(ν) x = vector with abs(x) = radius; complete.
 
-    x = adj(pencil) vector/det(pencil): ν is a root of abs(adj(pencil) vector)² = radius² det(pencil)², but
-    for the roots of the determinant. There, where the vector has no part in the kernel, x has any part in it.
+    Since x = adj(pencil) vector/det(pencil), ν is a root of abs(adj(pencil) vector)² = radius² det(pencil)²,
+    if it is no root of the determinant. At a root of the determinant, x may have any part in the kernel if
+    the vector has no part in it.
 
     Parameters
     ----------
@@ -30,7 +31,7 @@ def points_on_sphere(pencil: Matrix, vector: Matrix, radius: Expr, nu: Symbol) -
     Yields
     ------
     tuple
-        ν; x; the axis about which x may be turned, if there is one, 0 where x is any point of the sphere
+        ν; x; the axis about which x may be turned, None if there is none, 0 if x is any point of the sphere
 
     References
     ----------
@@ -40,7 +41,8 @@ def points_on_sphere(pencil: Matrix, vector: Matrix, radius: Expr, nu: Symbol) -
     --------
     >>> from sympy import diag
     >>> nu = Symbol("nu")
-    >>> for found in points_on_sphere(diag(1, 2, 3) + nu * eye(3), Matrix([0, 0, 2]), S.One, nu):
+    >>> pencil, vector = diag(1, 2, 3) + nu * eye(3), Matrix([0, 0, 2])
+    >>> for found in points_on_sphere(pencil, vector, S.One, nu):
     ...     print(*found[:2])
     -5 (0, 0, -1)
     -1 (0, 0, 1)
@@ -59,7 +61,7 @@ def points_on_sphere(pencil: Matrix, vector: Matrix, radius: Expr, nu: Symbol) -
 
 def along_kernel(pencil: Matrix, above: Matrix, below: Expr, radius: Expr, nu: Symbol,
                   root: Expr) -> Iterator[Found]:
-    """At a root of the determinant, as often as it is one."""
+    """Yield the solutions at a root of the determinant, of which it is a multiple root or a simple one."""
     order = next(n for n in (1, 2, 3) if proved_sign(evaluate(below.diff(nu, n), {nu: root})) != 0)
     if any(proved_sign(evaluate(x.diff(nu, n), {nu: root})) for n in range(order) for x in above):
         return                                             # the vector has a part in the kernel
@@ -85,5 +87,5 @@ def along_kernel(pencil: Matrix, above: Matrix, below: Expr, radius: Expr, nu: S
 
 
 def _column(matrix: Matrix) -> Matrix:
-    """A column of a matrix c cᵀ of three rows that is not 0."""
+    """Return a column that is not 0, of a matrix c cᵀ with three rows."""
     return matrix[:, next(n for n in range(3) if proved_sign(exact(matrix[n, n])) != 0)]

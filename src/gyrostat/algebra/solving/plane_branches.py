@@ -1,4 +1,7 @@
-"""The real branches of a plane curve F(x, t) = 0 over t, each from where its tangent is vertical to the next.
+"""Traces the real branches of a plane curve F(x, t) = 0 over t, between its vertical tangents.
+
+It is a cylindrical decomposition of the plane: between two roots of the discriminant in x the branches are
+graphs over t that do not meet.
 """
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
@@ -30,7 +33,7 @@ class Span(NamedTuple):
 
 
 class Strand(NamedTuple):
-    """A branch over its interval of t, and x at its ends, None where t goes to ±∞."""
+    """A branch over its interval of t, and x at its ends; None if t goes to ±∞ there."""
 
     spans: tuple[Span, ...]
     first: Expr | None
@@ -38,10 +41,11 @@ class Strand(NamedTuple):
 
 
 def strands(F: Expr, x: Symbol, t: Symbol, known: Mapping[Rational, Mapping[Expr, bool]]) -> list[Strand]:
-    """Every real branch of F(x, t) = 0 over t, complete.
+    """Return every real branch of F(x, t) = 0 over t, complete.
 
-    Between two roots of the discriminant there are as many real roots x as at one value. At a root of it
-    nothing happens but what is known, or else two of them become one at each double one, and are gone.
+    The resultant of F and ∂F/∂x is the discriminant times the leading coefficient in x. Between two of its
+    real roots t the number of real roots x does not change: one value of t tells it. At a root of it nothing
+    happens but what is known, or else a pair of branches begins or ends in each double root x (a fold).
 
     Parameters
     ----------
@@ -49,7 +53,7 @@ def strands(F: Expr, x: Symbol, t: Symbol, known: Mapping[Rational, Mapping[Expr
         a polynomial over ℚ without multiple factors
     x, t : Symbol
     known : mapping of t to mapping of x to bool
-        rational; the multiple roots there, and whether two branches cross in one, with different slopes
+        rational; the multiple roots there, and whether two branches cross in one with different slopes
 
     Returns
     -------
@@ -64,8 +68,9 @@ def strands(F: Expr, x: Symbol, t: Symbol, known: Mapping[Rational, Mapping[Expr
     --------
     >>> from sympy import S
     >>> x, t = Symbol("x"), Symbol("t")
-    >>> for strand in strands(x**2 - t**2 * (t + 1), x, t, {S.Zero: {S.Zero: True}}):
-    ...     print(*[tuple(span) for span in strand.spans], strand.first, strand.last)
+    >>> node, crossing = x**2 - t**2 * (t + 1), {S.Zero: {S.Zero: True}}
+    >>> for strand in strands(node, x, t, crossing):
+    ...     print(*map(tuple, strand.spans), strand.first, strand.last)
     (-1, 0, 1) (0, oo, 0) 0 None
     (-1, 0, 0) (0, oo, 1) 0 None
     """
@@ -94,17 +99,18 @@ def strands(F: Expr, x: Symbol, t: Symbol, known: Mapping[Rational, Mapping[Expr
 
 
 def _where_roots_meet(curve: PlaneCurve, eliminated: int, left: Symbol) -> list[Expr]:
-    """The real t, or x, of all points at which x is a multiple root."""
+    """Return the real t, or x, of all points at which x is a multiple root, by a resultant."""
     F, name = curve.whole, str(curve.whole.context().names()[curve.place[eliminated]])
     resultant = F.resultant(F.derivative(curve.place[0]), name)
     return roots_of_polynomial(in_one(resultant, curve.ring.generators.index(left)))
 
 
 def _folds(curve: PlaneCurve, at: Expr, double: Sequence[Expr], count: int) -> list[tuple[Expr, int]]:
-    """So many double roots x at a value of t, and how many simple ones are below each; there are no others.
+    """Return the `count` double roots x at a value of t, and how many simple ones are below each.
 
-    So many pairs of roots come or go there, each at a multiple root. All that balls do not exclude are so
-    many; divided by (x − x0)² for each the polynomial has none of them left, and they are double.
+    So many pairs of roots begin or end there, each at a multiple root. If balls exclude all candidates but so
+    many, these are the multiple roots. Divided by (x − x0)² for each, the polynomial has none of them left:
+    they are double.
     """
     for precision in doubled(256, FINEST):
         with own_precision(precision):
@@ -126,7 +132,7 @@ def _folds(curve: PlaneCurve, at: Expr, double: Sequence[Expr], count: int) -> l
 
 
 def _isolated(parts: Sequence[arb], width: float) -> list[arb] | None:
-    """The real roots of a polynomial with balls for coefficients, None where they are not so narrow."""
+    """Return the real roots of a polynomial with balls for coefficients; None if they are not so narrow."""
     try:
         return [root.real for root in arb_poly(parts).complex_roots(tol=width) if root.imag.contains(0)]
     except ValueError:
@@ -134,12 +140,12 @@ def _isolated(parts: Sequence[arb], width: float) -> list[arb] | None:
 
 
 def _untold(curve: PlaneCurve, at: Expr) -> ScopeError:
-    return ScopeError(f"at {curve.t} = {at} several of them meet, and are not told apart: change a number "
-                      "a little")
+    return ScopeError(f"at {curve.t} = {at} several branches meet, and it is not told which goes on as "
+                      "which: change a number a little")
 
 
 def _crossed(curve: PlaneCurve, at: Rational, known: Mapping[Expr, bool], count: int) -> list[int]:
-    """Where two roots cross, how many are below them; of so many, of which no others meet."""
+    """Return how many roots are below each pair that crosses at a value of t; no others may meet there."""
     _, factors = fmpq_poly([part(to_flint(at)) for part in _in_x(curve)]).factor()
     orders = {root: order for factor, order in factors for root in roots_of_factor(factor)}
     below, found = 0, []
@@ -153,6 +159,6 @@ def _crossed(curve: PlaneCurve, at: Rational, known: Mapping[Expr, bool], count:
 
 
 def _in_x(curve: PlaneCurve) -> list[fmpq_poly]:
-    """The coefficients of the powers of x, in t."""
+    """Return the coefficients of the powers of x, as polynomials in t."""
     x, t = curve.place
     return [in_one(part, t) for part in by_degree(curve.whole, x, curve.degree(curve.whole, 0))]

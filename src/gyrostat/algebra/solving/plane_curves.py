@@ -1,7 +1,4 @@
-"""A plane curve F(x, t) = 0 over −1 < x < 1.
-
-Its points in common with another, and how many branches leave a point on either side.
-"""
+"""A plane curve F(x, t) = 0 over −1 < x < 1: its multiple points by resultants, and boxes about them."""
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -80,8 +77,8 @@ class PlaneCurve:
     >>> curve = PlaneCurve(x * (x**2 - t) / 2, x, t)
     >>> curve.double
     ((0, 0),)
-    >>> [[float(round(float(r.mid()), 3)) for r in curve.roots(Fraction(n, 4))] for n in (-1, 1)]
-    [[0.0], [-0.5, 0.0, 0.5]]
+    >>> [round(float(r.mid()), 3) for r in curve.roots(Fraction(1, 4))]
+    [-0.5, 0.0, 0.5]
     """
 
     def __init__(self, expression: Expr, x: Symbol, t: Symbol, also: Sequence[Expr] = (),
@@ -111,16 +108,16 @@ class PlaneCurve:
         self.slopes = [self.whole]
 
     def degree(self, polynomial: fmpq_mpoly, which: int) -> int:
-        """In x (0) or t (1)."""
+        """Return the degree in x (0) or t (1)."""
         return int(polynomial.degrees()[self.place[which]]) if polynomial else 0
 
     def polynomial(self, expression: Expr) -> fmpq_mpoly:
-        """The numerator of one of the other expressions, or of its derivatives."""
+        """Return the numerator of one of the other expressions, or of its derivatives."""
         return self.ring.numerator(expression)
 
     @cached_property
     def double(self) -> tuple[tuple[Expr, Expr], ...]:
-        """(t, x) of every point between the ends where branches may meet: a multiple root in x."""
+        """(t, x) of every point between the ends where branches may meet: there x is a multiple root."""
         found = []
         for n, F in enumerate(self.components):
             found += self.common(F, F.derivative(self.place[0])) if self.degree(F, 0) > 1 else []
@@ -129,7 +126,7 @@ class PlaneCurve:
         return tuple(dict.fromkeys(found))
 
     def common(self, F: fmpq_mpoly, G: fmpq_mpoly) -> list[tuple[Expr, Expr]]:
-        """Common zeros (t, x) of a component and a polynomial that it does not divide; t is canonical."""
+        """Return the common zeros (t, x) of a component and a polynomial it does not divide; t canonical."""
         t = self.place[1]
         n = math.gcd(*(int(e[t]) for f in (F, G) for e in f.to_dict())) or 1
         powers = [n if place == t else 1 for place in range(len(self.ring.generators))]
@@ -154,13 +151,13 @@ class PlaneCurve:
         return [(root, x0) for s, x0 in pairs for root in roots if nearest(root, along, n) == s]
 
     def _resultant(self, F: fmpq_mpoly, G: fmpq_mpoly, which: int) -> fmpq_mpoly:
-        """What is left of two polynomials when x (0) or t (1) is eliminated."""
+        """Eliminate x (0) or t (1) from two polynomials by their resultant."""
         if not self.degree(F, which):
             return F
         return F.resultant(G, F.context().names()[self.place[which]]) if self.degree(G, which) else G
 
     def _above(self, F: fmpq_mpoly, G: fmpq_mpoly, x0: Expr, along: list[Expr]) -> list[Expr]:
-        """The t among those given at which both polynomials vanish at x0."""
+        """Return the t among those given at which both polynomials vanish at x0."""
         a, b = linear(F, G, self.place[1])
         lead = by_degree(F, self.place[1], self.degree(F, 1))[-1]
         if a and sign_of_constant(below := inserted(self.ring, a, {self.x: x0})) and (
@@ -169,18 +166,18 @@ class PlaneCurve:
         return [t0 for t0 in along if all(self.sign(f, t0, x0) == 0 for f in (F, G))]
 
     def sign(self, polynomial: fmpq_mpoly, t0: Expr, x0: Expr) -> int | None:
-        """Of a polynomial at a point, exact."""
+        """Return the sign of a polynomial at a point, exactly."""
         return sign_of_constant(inserted(self.ring, polynomial, {self.x: x0, self.t: t0}))
 
     def at_edge(self, s: int) -> list[Expr]:
-        """The t at which a component comes to x = s."""
+        """Return the t at which a component comes to x = s."""
         edge = [inserted(self.ring, F, {self.x: S(s)}) for F in self.components]
         return list(dict.fromkeys(t0 for f in edge for t0 in real_roots(f, self.t) or ()))
 
     def box(self, t0: Expr, x0: Expr, gap: Fraction, reach: Fraction) -> Box:
-        """A box about a point, less than gap in x and less than reach in t on either side.
+        """Return a box about a point, less than gap in x and less than reach in t on either side.
 
-        Of the derivatives in x the first that is not 0 at the point is not 0 in the box, so that x0 is the
+        The first of the derivatives in x that is not 0 at the point is not 0 in the box, so that x0 is the
         only root in it at t0; and no branch crosses its lower or its upper side.
         """
         first = 2 if (t0, x0) in self.double else 1
@@ -207,16 +204,17 @@ class PlaneCurve:
         return self.slopes[n]
 
     def _enclosed(self, polynomial: fmpq_mpoly, t: arb, x: arb) -> arb:
-        """At the precision that is set."""
+        """Enclose a polynomial over balls, at the precision that is set."""
         at = {self.x: x, self.t: t}
         values = [at[g] if g in at else ball(g, ctx.prec) for g in self.ring.generators]
-        # ** has no power of a ball that contains 0
+        # products, since ** gives no finite power of a ball that contains 0
         return sum((math.prod((v for v, e in zip(values, powers) for _ in range(int(e))), start=arb(c))
                     for powers, c in polynomial.to_dict().items()), arb(0))
 
     def roots(self, t: Fraction, count: int | None = None, precision: int = 96) -> list[arb]:
-        """The roots between the ends at a t where they are simple and no end, in increasing order, to half of
-        the precision; count, if known.
+        """Return the roots between the ends at a t, in increasing order, to half of the precision.
+
+        At that t they are simple, and none is an end; count is their number, if it is known.
         """
         if not self.rational and count is None:
             placed = inserted(self.ring, self.whole, {self.t: to_sympy(t)})

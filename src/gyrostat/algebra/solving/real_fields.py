@@ -1,4 +1,4 @@
-"""Numbers that are rational in one real root of a polynomial over ℚ; expressions of them when asked for."""
+"""Numbers in the field of a real root of a polynomial over ℚ, made into expressions when asked for."""
 from collections.abc import Sequence
 from typing import Any, overload
 
@@ -17,7 +17,7 @@ BITS = 192                                             # of most enclosures that
 
 
 class Conjugates:
-    """Of an irreducible polynomial the real roots, and the values of quotients top/under at them.
+    """The real roots of an irreducible polynomial, and the values of quotients top/under at them.
 
     Parameters
     ----------
@@ -29,8 +29,9 @@ class Conjugates:
     Examples
     --------
     >>> from sympy import S
-    >>> halves = Conjugates(fmpq_poly([-2, 0, 1]), [fmpq_poly([1])], fmpq_poly([0, 1]))
-    >>> [tuple(FieldNumbers(halves, n, [(0, S.One)])) for n in range(len(halves.roots()))]
+    >>> square, one, x = (fmpq_poly(c) for c in ([-2, 0, 1], [1], [0, 1]))
+    >>> halves = Conjugates(square, [one], x)
+    >>> [tuple(FieldNumbers(halves, n, [(0, S.One)])) for n in (0, 1)]
     [(-sqrt(2)/2,), (sqrt(2)/2,)]
     """
 
@@ -40,7 +41,7 @@ class Conjugates:
         self._values: dict[int, list[list[arb]]] = {}
 
     def roots(self, precision: int = BITS) -> list[arb]:
-        """Enclosures of the real roots, in increasing order, isolated."""
+        """Return enclosures of the real roots, in increasing order, isolated."""
         if precision not in self._roots:
             refuse_close(self.polynomial.numer())
             with own_precision(precision):
@@ -48,7 +49,7 @@ class Conjugates:
         return self._roots[precision]
 
     def values(self, precision: int = BITS) -> list[list[arb]]:
-        """Enclosures of the quotients at each root."""
+        """Return enclosures of the quotients at each root."""
         if precision not in self._values:
             with own_precision(precision):
                 under, *tops = (arb_poly(f) for f in (self.under, *self.tops))
@@ -58,13 +59,14 @@ class Conjugates:
 
     @cached_property
     def exact(self) -> list[Expr]:
-        """The real roots, in the same order."""
+        """The real roots as expressions, in the same order."""
         roots = roots_of_factor(self.polynomial)
         return in_order(roots) if self.polynomial.degree() < 3 else roots
 
     @cached_property
     def short(self) -> tuple[list[fmpq_poly], fmpq_poly]:
-        """The quotients over the derivative of the polynomial, of which the coefficients are short."""
+        """The quotients written over the derivative of the polynomial, which makes their coefficients short.
+        """
         slope = self.polynomial.derivative()
         return divided([top * slope for top in self.tops], self.under, self.polynomial), slope
 
@@ -104,11 +106,11 @@ class FieldNumbers(Sequence[Expr]):
         return tuple, (tuple(self),)                       # python-flint's polynomials are not pickled
 
     def balls(self, precision: int) -> list[arb]:
-        """Enclosures, without an expression."""
+        """Return enclosures of the numbers, without making their expressions."""
         values = self.conjugates.values(precision)[self.root]
         with own_precision(precision):
             return [values[place] * ball(factor, precision) for place, factor in self.places]
 
     def over(self, divisor: Expr) -> "FieldNumbers":
-        """Each over an exact number."""
+        """Return each number divided by an exact one."""
         return FieldNumbers(self.conjugates, self.root, [(place, x / divisor) for place, x in self.places])

@@ -1,7 +1,8 @@
-"""The real roots of an irreducible polynomial as SymPy's numbers, which SymPy is told where to find.
+"""Real roots of irreducible polynomials as SymPy's CRootOf, isolated for SymPy by python-flint.
 
-To show a root, or a product with one, SymPy evaluates it, from isolating intervals that continued fractions
-make smaller: hours for roots that are 10⁻¹⁵ apart, or of the size 10³⁰. python-flint isolates them at once.
+To show a root, or a product with one, SymPy evaluates it, from isolating intervals that it makes smaller by
+continued fractions: hours for roots that are 10⁻¹⁵ apart, or of the size 10³⁰. python-flint isolates them at
+once.
 """
 import math
 from collections.abc import Sequence
@@ -23,9 +24,9 @@ MODERATE = 9                                           # powers of ten of roots 
 
 
 def roots_of(coefficients: Sequence[Rational]) -> list[Expr]:
-    """In increasing order, of a polynomial of degree 3 or more, irreducible over ℚ.
+    """Return the real roots of a polynomial of degree 3 or more, irreducible over ℚ, in increasing order.
 
-    Very large or small ones are each a power of ten times a root near 1.
+    Very large or very small ones are a power of ten times a root near 1.
 
     Parameters
     ----------
@@ -53,7 +54,7 @@ def roots_of(coefficients: Sequence[Rational]) -> list[Expr]:
 
 
 def _order(product: Rational, degree: int) -> int:
-    """The power of ten of the geometric mean of the roots, whose product is given; 0 if it is moderate."""
+    """Return the power of ten of the geometric mean of the roots, by their product; 0 if it is moderate."""
     bits = int(abs(product.p)).bit_length() - int(product.q).bit_length()
     order = round(bits * math.log10(2) / degree)
     return order if abs(order) > MODERATE else 0
@@ -62,8 +63,8 @@ def _order(product: Rational, degree: int) -> int:
 def refuse_close(polynomial: fmpz_poly) -> None:
     """Refuse a polynomial with roots of such sizes that it takes minutes to isolate them.
 
-    Its coefficients are compared with those of roots of one modulus, and, by the discriminant, the product of
-    the distances of its roots with that of distances as large as the roots.
+    Its coefficients are compared with those that roots of one modulus would give, and, by the discriminant,
+    the product of the distances of its roots with that of distances as large as the roots.
 
     Raises
     ------
@@ -78,9 +79,9 @@ def refuse_close(polynomial: fmpz_poly) -> None:
     discriminant = int(resultant // polynomial.leading_coefficient()).bit_length()
     near = resultant and (degree - 1) * (bits[0] + bits[-1]) - discriminant > degree * APART
     if above > degree * APART or near:
-        raise ScopeError("these numbers are of so different sizes that equilibria, or what decides of them, "
-                         "are no longer told apart: leave out what is far too small to matter, or make "
-                         "smaller what is far too large")
+        raise ScopeError("these numbers are of so different sizes that equilibria, or the quantities that "
+                         "decide their stability, are no longer told apart: leave out what is far too small "
+                         "to matter, or make smaller what is far too large")
 
 
 def _lend(poly: PurePoly) -> None:

@@ -1,6 +1,6 @@
-"""All real roots of a polynomial in an interval, exact.
+"""All real roots of a polynomial in an interval, exact: by factors over ℚ, formulas, norms and balls.
 
-Rational, quadratic surds, or roots of a named polynomial.
+They are rational numbers, quadratic surds, or roots of a named polynomial.
 """
 import math
 from collections.abc import Iterable, Mapping, Sequence
@@ -24,13 +24,13 @@ FEW = 3                                                # numbers of which a norm
 
 def real_roots(expression: Expr, x: Symbol, low: Expr | None = None,
                high: Expr | None = None) -> list[Expr] | None:
-    """The distinct real roots of the numerator of a rational function of x, in increasing order, strictly
-    between low and high.
+    """Return the distinct real roots of a rational function of x between low and high, in order.
 
-    Complete: the polynomial is factored over ℚ and the real roots of each factor are counted. Algebraic
-    coefficients are eliminated by resultants with their minimal polynomials, and of the roots of that norm
-    those of the polynomial are kept. With transcendental coefficients, or algebraic ones that depend on each
-    other, factors of degree 1 and 2 are solved by formula, and the roots of the others are isolated.
+    They lie strictly between these, and the list is complete: the numerator is factored over ℚ and the real
+    roots of each factor are counted. Algebraic coefficients are eliminated by resultants with their minimal
+    polynomials, and of the roots of that norm those of the polynomial are kept. With transcendental
+    coefficients, or algebraic ones that depend on each other, factors of degree 1 and 2 are solved by
+    formula, and the roots of the others are isolated by balls.
 
     Parameters
     ----------
@@ -38,7 +38,7 @@ def real_roots(expression: Expr, x: Symbol, low: Expr | None = None,
         rational in x, with coefficients that are exact numbers
     x : Symbol
     low, high : Expr or None
-        exact numbers; None: unbounded
+        exact numbers; default: unbounded
 
     Returns
     -------
@@ -55,8 +55,10 @@ def real_roots(expression: Expr, x: Symbol, low: Expr | None = None,
     --------
     >>> import gyrostat as gs
     >>> x = gs.symbol("x")
-    >>> real_roots((x**2 - 2) * (3*x - 1) / (x + 5), x), real_roots(x**3 - x - 1, x)
-    ([-sqrt(2), 1/3, sqrt(2)], [CRootOf(x**3 - x - 1, 0)])
+    >>> real_roots((x**2 - 2) * (3*x - 1) / (x + 5), x)
+    [-sqrt(2), 1/3, sqrt(2)]
+    >>> real_roots(x**3 - x - 1, x)
+    [CRootOf(x**3 - x - 1, 0)]
     >>> real_roots(x**2 - sqrt(2), x, low=Rational(0))
     [CRootOf(x**4 - 2, 1)]
     """
@@ -76,8 +78,8 @@ def real_roots(expression: Expr, x: Symbol, low: Expr | None = None,
     ways = (_by_norm, _by_formulas) if len(constants) <= FEW else (_by_formulas, _by_norm)
     found = next((roots for way in ways if (roots := way(ring, top, x)) is not None), None)
     if found is None and all(map(is_algebraic, constants)):
-        raise ScopeError(f"the algebraic numbers of {brief(expression)} depend on each other: write them in "
-                         "one root")
+        raise ScopeError(f"the algebraic numbers of {brief(expression)} depend on each other, so that its "
+                         "roots are not found: write them in one root")
     if found is None:
         found = _by_enclosures(ring, top, x)
     found = [r for r in found if bottom.is_one() or proved_sign(inserted(ring, bottom, {x: r})) != 0]
@@ -86,9 +88,9 @@ def real_roots(expression: Expr, x: Symbol, low: Expr | None = None,
 
 
 def _by_norm(ring: Ring, polynomial: fmpq_mpoly, x: Symbol) -> list[Expr] | None:
-    """The real roots in order, from the product of the conjugates.
+    """Return the real roots in order, from the norm: the product of the conjugates.
 
-    None where that is 0, or a coefficient is not algebraic.
+    None if that is 0, or a coefficient is not algebraic.
     """
     if not all(g == x or is_algebraic(g) for g in ring.generators):
         return None
@@ -103,13 +105,13 @@ def _by_norm(ring: Ring, polynomial: fmpq_mpoly, x: Symbol) -> list[Expr] | None
 
 
 def _by_formulas(ring: Ring, polynomial: fmpq_mpoly, x: Symbol) -> list[Expr] | None:
-    """The real roots in order, None where a factor is of a degree above 2."""
+    """Return the real roots in order; None if a factor is of a degree above 2."""
     factors = _factors(ring, polynomial, x)
     return None if any(len(c) > 3 for c in factors) else _apart(r for c in factors for r in _solved(c))
 
 
 def _by_enclosures(ring: Ring, polynomial: fmpq_mpoly, x: Symbol) -> list[Expr]:
-    """The real roots in order, those of higher degree isolated by balls."""
+    """Return the real roots in order; those of factors of higher degree are isolated by balls."""
     found: list[Expr] = []
     for c in _factors(ring, polynomial, x):
         if (roots := _solved(c) if len(c) < 4 else roots_by_enclosures(c)) is None:
@@ -120,20 +122,20 @@ def _by_enclosures(ring: Ring, polynomial: fmpq_mpoly, x: Symbol) -> list[Expr]:
 
 
 def _factors(ring: Ring, polynomial: fmpq_mpoly, x: Symbol) -> list[list[Expr]]:
-    """The coefficients of each factor in which x occurs."""
+    """Return the coefficients of each factor in which x occurs."""
     place = ring.generators.index(x)
     return [[ring.expression(c) for c in by_degree(factor, place, degree)]
             for factor, _ in polynomial.factor()[1] if (degree := factor.degrees()[place])]
 
 
 def _apart(numbers: Iterable[Expr]) -> list[Expr]:
-    """In order, each once."""
+    """Return the numbers in increasing order, each once."""
     ordered = in_order(list(numbers))
     return [r for n, r in enumerate(ordered) if not n or proved_sign(r - ordered[n - 1])]
 
 
 def _solved(c: Sequence[Expr]) -> list[Expr]:
-    """The real roots of a polynomial of degree 1 or 2, c[0] its constant term."""
+    """Return the real roots of a polynomial of degree 1 or 2, where c[0] is its constant term."""
     if len(c) == 2:
         return [-c[0] / c[1]]
     sign = proved_sign(discriminant := c[1] ** 2 - 4 * c[0] * c[2])
@@ -143,7 +145,7 @@ def _solved(c: Sequence[Expr]) -> list[Expr]:
 
 
 def _relation(ring: Ring, g: Expr, x: Symbol) -> fmpq_mpoly:
-    """The polynomial that a generator satisfies, over the generators inside it."""
+    """Return the polynomial that a generator satisfies, over the generators inside it."""
     if g in ring.squares:
         return ring.gens[g] ** 2 - ring.squares[g]
     coefficients = Poly(minimal_polynomial(g, x), x).all_coeffs()
@@ -152,9 +154,9 @@ def _relation(ring: Ring, g: Expr, x: Symbol) -> fmpq_mpoly:
 
 
 def _kept(ring: Ring, polynomial: fmpq_mpoly, x: Symbol, numbers: list[Expr]) -> list[Expr]:
-    """Picks the roots out of sorted candidates.
+    """Pick the roots out of sorted candidates.
 
-    A change of sign of the polynomial around a candidate proves it.
+    A change of sign of the polynomial around a candidate proves it; without one, its value has to be 0.
     """
     midway = [between(a, b) for a, b in zip([-oo, *numbers], [*numbers, oo])]
     signs = [proved_sign(inserted(ring, polynomial, {x: q})) for q in midway]
@@ -163,7 +165,7 @@ def _kept(ring: Ring, polynomial: fmpq_mpoly, x: Symbol, numbers: list[Expr]) ->
 
 
 def in_order(numbers: Sequence[Expr]) -> list[Expr]:
-    """Distinct exact numbers in increasing order."""
+    """Return distinct exact numbers in increasing order."""
     def compared(a: Expr, b: Expr) -> int:
         return proved_sign(a - b)
 
@@ -171,7 +173,7 @@ def in_order(numbers: Sequence[Expr]) -> list[Expr]:
 
 
 def between(a: Expr, b: Expr) -> Rational:
-    """A rational number between two exact ones, a short one."""
+    """Return a short rational number between two exact ones."""
     if a == -oo and b == oo:
         return S.Zero
     if a == -oo:
@@ -188,18 +190,18 @@ def between(a: Expr, b: Expr) -> Rational:
 
 
 def inside(values: Iterable[Expr], low: Expr, high: Expr) -> list[Expr]:
-    """Those of exact numbers that lie between two, which may be infinite."""
+    """Return those of some exact numbers that lie between two, which may be infinite."""
     return [x for x in values if (low == -oo or proved_sign(x - low) == 1)
             and (high == oo or proved_sign(high - x) == 1)]
 
 
 def _side(number: Expr, precision: int, side: int) -> Rational:
-    """The upper or lower end of an enclosure, exact."""
+    """Return the upper or lower end of an enclosure, exactly."""
     return to_sympy(ends(ball(number, precision))[side > 0])
 
 
 def nearest(value: Expr, known: list[Expr], power: int = 1) -> Expr:
-    """The one of some distinct numbers that a power of the value, which is among them, is."""
+    """Return the one of some distinct numbers that is a power of a value."""
     precision = 64
     while True:
         here = math.prod([ball(value, precision)] * power, start=arb(1))
@@ -212,9 +214,9 @@ def nearest(value: Expr, known: list[Expr], power: int = 1) -> Expr:
 
 
 def inserted(ring: Ring, polynomial: fmpq_mpoly, numbers: Mapping[Expr, Expr]) -> Expr:
-    """The polynomial with numbers for generators.
+    """Insert numbers for the generators of a polynomial.
 
-    Never inside a number, where a CRootOf has a variable of its own.
+    Nothing is inserted inside a number, where a CRootOf has a variable of its own.
     """
     meaning = [numbers.get(g, ring.expression(ring.gens[g])) for g in ring.generators]
     return Add(*(Mul(to_sympy(c), *(Pow(g, int(e)) for g, e in zip(meaning, exponents) if e))
@@ -222,12 +224,12 @@ def inserted(ring: Ring, polynomial: fmpq_mpoly, numbers: Mapping[Expr, Expr]) -
 
 
 def roots_of_polynomial(polynomial: fmpq_poly) -> list[Expr]:
-    """The different real roots of a polynomial, factor by factor; none of 0."""
+    """Return the distinct real roots of a polynomial, factor by factor; none for the polynomial 0."""
     factors = polynomial.factor()[1] if polynomial else ()
     return [root for factor, _ in factors for root in roots_of_factor(factor)]
 
 
 def roots_of_factor(factor: fmpq_poly) -> list[Expr]:
-    """The real roots of an irreducible polynomial."""
+    """Return the real roots of an irreducible polynomial."""
     c = list(map(to_sympy, factor.coeffs()))
     return _solved(c) if len(c) <= 3 else roots_of(c)

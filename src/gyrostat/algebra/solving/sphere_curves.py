@@ -1,7 +1,7 @@
-"""The curves on the sphere k·k = 1 along which polynomials over ℚ vanish, split from their other zeros.
+"""The curves on the sphere k·k = 1 along which polynomials over ℚ vanish, by stereographic projection.
 
-By the stereographic projection from (0, 0, 1), x = k1/(1 − k3) and y = k2/(1 − k3): where k3 ≠ 1 the curves
-are the factors of a greatest common divisor in ℚ[x, y].
+With x = k1/(1 − k3) and y = k2/(1 − k3), the projection from (0, 0, 1), the curves are, where k3 ≠ 1, the
+factors of a greatest common divisor in ℚ[x, y].
 """
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -47,14 +47,14 @@ class SphereCurve:
 
     @cached_property
     def samples(self) -> list[tuple[Expr, ...]]:
-        """A point of an arc, exact, or one of each circle; none where there are no arcs."""
+        """A point of an arc, exact, or one of each circle; the list is empty if there are no arcs."""
         return self._on_arc() if self.axis is None else self._on_circles(Matrix(self.axis))
 
     def _on_arc(self) -> list[tuple[Expr, ...]]:
-        """An arc lies over an interval of x, or on a line x = constant, of which the projection is a factor.
+        """Return a point of an arc, which lies over an interval of x, or over a line x = constant.
 
-        Between two roots of the discriminant or of the leading coefficient in y the number of real y does not
-        change: one x tells it.
+        It lies over a line if the projection is a polynomial in x alone. Between two roots of the
+        discriminant or of the leading coefficient in y the number of real y does not change: one x tells it.
         """
         if not (degree := int(self.projected.degrees()[1])):
             return [_above(x, S.Zero) for x in roots_of_polynomial(in_one(self.projected, 0))[:1]]
@@ -69,28 +69,32 @@ class SphereCurve:
         return []
 
     def _on_circles(self, axis: Matrix) -> list[tuple[Expr, ...]]:
-        """On the sphere the polynomial is one in t = a·k of the axis a: k = t a/a·a + s e with e ⟂ a."""
+        """Return a point of each circle about the axis a.
+
+        On the sphere the polynomial is one in t = a·k: k = t a/a·a + s e with e ⟂ a.
+        """
         n = next(n for n in range(3) if axis[n])
         e, square = axis.cross(eye(3)[:, n - 1]), axis.dot(axis)
         rest = (1 - T**2 / square) / e.dot(e)              # s²
         placed = Poly(self.expression(T * axis / square + SIDE * e), SIDE)
-        whole = Add(*(c * rest ** (m // 2) for (m,), c in placed.terms()))  # the others cancel
+        whole = Add(*(c * rest ** (m // 2) for (m,), c in placed.terms()))  # odd powers of s cancel
         places = [t * axis / square + sqrt(evaluate(rest, {T: t})) * e
                   for t in real_roots(whole, T, -sqrt(square), sqrt(square)) or ()]
         return [tuple(evaluate(x, {}) for x in k) for k in places]
 
     @cached_property
     def singular(self) -> list[Terms]:
-        """Polynomials of which the common zeros are its singular points: without an arc all real ones."""
+        """Polynomials whose common zeros are the singular points: without an arc, all real ones."""
         return [self.terms, *filter(None, self._turned)]
 
     def divides(self, f: Terms) -> bool:
-        """Whether a polynomial vanishes on all of it."""
+        """Tell whether a polynomial vanishes on the whole curve."""
         return not divmod(projected(f), self.projected)[1]
 
     @cached_property
     def axis(self) -> tuple[Expr, ...] | None:
-        """The axis about which its arcs are circles: turns about it keep the polynomial. None: no circles."""
+        """The axis about which the arcs are circles: turns about it keep the polynomial; None if none do.
+        """
         places = {e for part in self._turned for e in part}
         rows = [[to_sympy(part.get(e, fmpq(0))) for part in self._turned] for e in sorted(places)]
         found = Matrix(rows).nullspace()
@@ -98,7 +102,7 @@ class SphereCurve:
 
     @cached_property
     def _turned(self) -> list[Terms]:
-        """k × ∇f, on the sphere: how f changes when k turns about each axis."""
+        """The components of k × ∇f on the sphere: how f changes when k turns about each axis."""
         found: list[Terms] = []
         for i, j in ((1, 2), (2, 0), (0, 1)):
             part: dict[Exponents, fmpq] = {}
@@ -111,16 +115,16 @@ class SphereCurve:
         return found
 
     def expression(self, k: Sequence[Expr]) -> Expr:
-        """The polynomial in symbols, with integers for coefficients."""
+        """Return the polynomial in symbols, with integers for coefficients."""
         common = reduce(lambda a, b: a.gcd(b), self.terms.values())
         return Add(*(Mul(Integer(int((c / common).p)), *(x**n for x, n in zip(k, e)))
                      for e, c in self.terms.items()))
 
 
 def split(given: Sequence[Terms]) -> tuple[list[SphereCurve], list[Terms]]:
-    """The curves on which polynomials vanish, and polynomials of which the others are the common zeros.
+    """Split polynomials into the curves on which they vanish, and polynomials with their other common zeros.
 
-    Whether (0, 0, 1) is a zero neither tells.
+    Neither tells whether (0, 0, 1) is a zero.
 
     Parameters
     ----------
@@ -131,8 +135,10 @@ def split(given: Sequence[Terms]) -> tuple[list[SphereCurve], list[Terms]]:
     --------
     >>> one = fmpq(1)
     >>> (curve,), rests = split([{(2, 0, 0): one}, {(1, 1, 0): one}])
-    >>> curve.samples, curve.axis, [list(rest) for rest in rests]
-    ([(0, -1, 0)], (1, 0, 0), [[(1, 0, 0)], [(0, 1, 0)]])
+    >>> curve.samples, curve.axis
+    ([(0, -1, 0)], (1, 0, 0))
+    >>> [list(rest) for rest in rests]
+    [[(1, 0, 0)], [(0, 1, 0)]]
     """
     planes = [projected(f) for f in given]
     common = reduce(lambda f, g: f.gcd(g), planes)
@@ -141,7 +147,7 @@ def split(given: Sequence[Terms]) -> tuple[list[SphereCurve], list[Terms]]:
 
 
 def on_sphere(terms: Terms) -> dict[Exponents, fmpq]:
-    """With 1 − k1² − k2² for k3²."""
+    """Return the same polynomial on the sphere, with 1 − k1² − k2² for k3²."""
     done: dict[Exponents, fmpq] = {}
     left = dict(terms)
     while left:
@@ -155,22 +161,22 @@ def on_sphere(terms: Terms) -> dict[Exponents, fmpq]:
 
 
 def product(e: Sequence[int], m: Sequence[int]) -> Exponents:
-    """The exponents of a product of monomials."""
+    """Return the exponents of a product of monomials."""
     return tuple(x + y for x, y in zip(e, m))
 
 
 def projected(f: Terms) -> fmpq_mpoly:
-    """f (1 + x² + y²)ᵈ, of f of degree d."""
+    """Return f (1 + x² + y²)ᵈ in the projection, where d is the degree of f."""
     degree = max(map(sum, f))
     return sum((c * 2 ** (a + b) * X**a * Y**b * (FLAT - 1) ** n * ROUND ** (degree - a - b - n)
                 for (a, b, n), c in f.items()), PLANE.constant(0))
 
 
 def lifted(f: fmpq_mpoly) -> dict[Exponents, fmpq]:
-    """f (1 − k3)ⁿ with the least n for which that is a polynomial on the sphere.
+    """Return f (1 − k3)ⁿ with the least n for which that is a polynomial on the sphere.
 
-    As p + q k3 with p and q in k1 and k2. It is 1 − k3 times another if its product with 1 + k3 is
-    k1² + k2² = (1 − k3) (1 + k3) times another.
+    It is p + q k3 with p and q in k1 and k2. It is 1 − k3 times another polynomial if its product with 1 + k3
+    is k1² + k2² = (1 − k3) (1 + k3) times another.
     """
     groups: dict[int, dict[tuple[int, int], fmpq]] = {}
     for (a, b), c in f.to_dict().items():
@@ -187,6 +193,6 @@ def lifted(f: fmpq_mpoly) -> dict[Exponents, fmpq]:
 
 
 def _above(x: Expr, y: Expr) -> tuple[Expr, ...]:
-    """The point of the sphere over one of the plane."""
+    """Return the point of the sphere over a point of the plane."""
     square = evaluate(x**2 + y**2, {})
     return tuple(evaluate(top / (square + 1), {}) for top in (2 * x, 2 * y, square - 1))

@@ -1,4 +1,8 @@
-"""The finitely many points of the sphere k·k = 1 in which polynomials over ℚ vanish."""
+"""The finitely many points of the sphere k·k = 1 in which polynomials over ℚ vanish.
+
+Macaulay's matrix gives the quotient algebra, Hermite's trace form counts its points, and a rational
+univariate representation gives them as rational functions of the roots of one polynomial.
+"""
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from functools import cache
 from itertools import count
@@ -15,13 +19,14 @@ SPHERE: Terms = {(2, 0, 0): fmpq(1), (0, 2, 0): fmpq(1), (0, 0, 2): fmpq(1), ONE
 
 def finite_zeros(given: Sequence[Terms], left_out: Sequence[Terms], above: Sequence[Terms]
                  ) -> Iterable[FieldNumbers] | None:
-    """Every real common zero of polynomials that have finitely many complex ones; None if that is not found.
+    """Return every real common zero of polynomials with finitely many complex ones; None if not found.
 
-    Degree by degree the polynomials times monomials span part of their ideal. The monomials that lead no
-    element of it are a basis of the quotient algebra as soon as the multiplications by k1, k2, k3 commute and
-    the polynomials are 0 in it. Its dimension is the number of complex zeros, each as often as it counts; the
-    rank of its trace form is that of the distinct ones. A form λ in k with as many distinct eigenvalues tells
-    them apart: each is a root of the characteristic polynomial of λ, and k is rational in it.
+    Degree by degree the polynomials times monomials span part of their ideal (Macaulay's matrix). The
+    monomials that lead no element of it are a basis of the quotient algebra as soon as the multiplications by
+    k1, k2, k3 commute and the polynomials are 0 in it. Its dimension is the number of complex zeros, each as
+    often as it counts; the rank of its trace form (Hermite) is that of the distinct ones. A form λ in k with
+    as many distinct eigenvalues tells them apart: each is a root of the characteristic polynomial of λ, and k
+    is rational in it.
 
     Parameters
     ----------
@@ -30,7 +35,7 @@ def finite_zeros(given: Sequence[Terms], left_out: Sequence[Terms], above: Seque
     left_out : sequence of Terms
         polynomials whose zeros are left out
     above : sequence of Terms
-        of which the quotients by the first of these follow the coordinates
+        polynomials whose quotients by the first of left_out follow the coordinates
 
     References
     ----------
@@ -48,24 +53,24 @@ def finite_zeros(given: Sequence[Terms], left_out: Sequence[Terms], above: Seque
 
 
 class _Algebra:
-    """Polynomials on the sphere modulo some of them: 1 in a basis, and the multiplications by k1, k2, k3."""
+    """The quotient algebra: its element 1 in a basis, and its multiplications by k1, k2, k3."""
 
     def __init__(self, spanning: Sequence[Exponents], one: fmpq_mat, axes: Sequence[fmpq_mat]):
         self.spanning, self.one, self.axes, self.size = spanning, one, axes, one.nrows()
 
     def holds(self, polynomials: Sequence[Terms]) -> bool:
-        """Whether it is an algebra, in which the polynomials are 0."""
+        """Tell whether it is an algebra, in which the polynomials are 0."""
         x, y, z = self.axes
         return x * y == y * x and y * z == z * y and z * x == x * z and not any(
             any(self.times(f, self.one).entries()) for f in [SPHERE, *polynomials])
 
     def times(self, polynomial: Terms, start: fmpq_mat) -> fmpq_mat:
-        """A polynomial times an element, or times several."""
+        """Multiply an element, or several, by a polynomial."""
         monomial = self.monomials(start)
         return sum((monomial(e) * c for e, c in polynomial.items()), start * 0)
 
     def monomials(self, start: fmpq_mat) -> Callable[[Exponents], fmpq_mat]:
-        """Each monomial times the same."""
+        """Return the function that multiplies `start` by a monomial."""
         @cache
         def monomial(e: Exponents) -> fmpq_mat:
             if e == ONE:
@@ -76,7 +81,7 @@ class _Algebra:
         return monomial
 
     def without(self, polynomial: Terms) -> "_Algebra":
-        """That of the zeros at which a polynomial does not vanish: the image of its powers."""
+        """Return the algebra of the zeros at which a polynomial does not vanish: the image of its powers."""
         power = self.times(polynomial, _identity(self.size))
         rank, before = power.rank(), self.size
         if rank == before:
@@ -95,13 +100,16 @@ class _Algebra:
         return _Algebra(self.spanning, one, [inside(axis * image) for axis in self.axes])
 
     def quotients(self, tops: Sequence[Terms], bottom: Terms) -> list[fmpq_mat]:
-        """Polynomials over one that vanishes nowhere."""
+        """Divide polynomials by one that vanishes nowhere."""
         under = self.times(bottom, _identity(self.size))
         return [under.solve(self.times(top, self.one)) for top in tops]
 
     def points(self, paired: bool = False, more: Sequence[fmpq_mat] = ()) -> Iterator[FieldNumbers]:
-        """The real zeros, with the values of more elements; paired, where −k is one of the same values."""
-        for n in count(1):
+        """Yield the real zeros, with the values of more elements at them.
+
+        `paired` says that with each zero k also −k is one, at which these elements have the same values.
+        """
+        for n in count(1):                             # for each two zeros, two n at most give them one λ
             form = self.axes[0] + self.axes[1] * n + self.axes[2] * n**2
             whole = fmpq_poly(form.charpoly())
             apart = whole / whole.gcd(whole.derivative())
@@ -109,6 +117,7 @@ class _Algebra:
                 break
         monomial = self.monomials(self.one)
         elements = [*(monomial(e) for e in (ONE, *AXES)), *more]
+        # any functional will do that has no weight 0; else the trace, which takes longer
         weights = fmpq_mat([[n % 7 + 1 for n in range(self.size)]])
         found = _numerators(apart, form, weights, elements)
         if apart.degree() < self.size or not found[0].gcd(apart).is_constant():
@@ -127,7 +136,10 @@ class _Algebra:
 
     @cached_property
     def traced(self) -> tuple[int, fmpq_mat]:
-        """The number of distinct zeros, and the functional that adds an element's values at all of them."""
+        """The number of distinct zeros by Hermite's form, and the functional that takes traces.
+
+        The trace of an element is the sum of its values at all zeros, each as often as it counts.
+        """
         times, place = self.monomials(_identity(self.size)), self.monomials(self.one)
         products = [times(e) for e in self.spanning]
         flat, turned = (fmpq_mat([m.entries() for m in several])
@@ -140,9 +152,10 @@ class _Algebra:
 
 def _numerators(apart: fmpq_poly, form: fmpq_mat, functional: fmpq_mat,
                 elements: Sequence[fmpq_mat]) -> list[fmpq_poly]:
-    """Of each element x, Σ x(z) m(z) Π (T − λ(y)) over the zeros z, of weight m, and the others y.
+    """Return the numerators of the rational univariate representation, one for each element x.
 
-    By the functional Σ m(z) x(z) at λⁿ x.
+    Such a numerator is Σ x(z) m(z) Π (T − λ(y)) over the zeros z, of weight m(z), and the others y. It
+    follows from the functional Σ m(z) x(z) at λⁿ x, a Krylov sequence.
     """
     coefficients, found = apart.coeffs()[::-1], []
     for x in elements:
@@ -160,7 +173,7 @@ def _identity(size: int) -> fmpq_mat:
 
 
 def _algebra(given: Sequence[Terms]) -> _Algebra | None:
-    """Modulo some polynomials, none of them 0, if it is found to be of finite dimension."""
+    """Return the algebra of some polynomials, none of them 0; None if none of finite dimension is found."""
     most = max((sum(e) for f in given for e in f), default=0)
     for degree in range(most + 1, 2 * most + 5) if given else ():
         algebra = _up_to(degree, given)
@@ -170,7 +183,7 @@ def _algebra(given: Sequence[Terms]) -> _Algebra | None:
 
 
 def _up_to(degree: int, given: Sequence[Terms]) -> _Algebra | None:
-    """By the multiples of the polynomials up to a degree; None where monomials of each degree are left."""
+    """Return the algebra by Macaulay's matrix up to a degree; None if monomials of each degree are left."""
     columns = sorted(_monomials(degree), key=lambda e: (-sum(e), e))
     place, rows = {e: n for n, e in enumerate(columns)}, []
     for f in given:
@@ -202,5 +215,5 @@ def _up_to(degree: int, given: Sequence[Terms]) -> _Algebra | None:
 
 
 def _monomials(degree: int) -> list[Exponents]:
-    """With k3 at most once: a basis of the polynomials on the sphere."""
+    """Return the monomials with k3 at most once: a basis of the polynomials on the sphere."""
     return [(a, b, c) for c in (0, 1) for a in range(degree + 1 - c) for b in range(degree + 1 - a - c)]

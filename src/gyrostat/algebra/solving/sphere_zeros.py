@@ -21,10 +21,11 @@ class ZeroSet(NamedTuple):
 
 def zeros_on_sphere(polynomials: Sequence[Expr], k: Sequence[Symbol],
                     but: Expr = S.One, over_it: Sequence[Expr] = ()) -> ZeroSet | None:
-    """Every real common zero of polynomials with k·k = 1, exact; None where all of the sphere is.
+    """Return every real common zero of polynomials with k·k = 1, exactly; None if all of the sphere is one.
 
-    What they have in common on the sphere is divided out: of the rest the complex zeros are finitely many.
-    A common factor without a real arc has real zeros where it is singular, finitely many too.
+    What they have in common on the sphere is divided out: of the rest the complex zeros are finitely many. A
+    common factor without a real arc has real zeros only where it is singular, and these are finitely many,
+    too.
 
     Parameters
     ----------
@@ -45,7 +46,8 @@ def zeros_on_sphere(polynomials: Sequence[Expr], k: Sequence[Symbol],
     --------
     >>> import gyrostat as gs
     >>> k1, k2, k3 = k = [gs.symbol(f"k{n}") for n in (1, 2, 3)]
-    >>> [tuple(x) for x in zeros_on_sphere([k1 * k2, k3 * k2, k1 * k3], k, but=k1 + k3).points]
+    >>> products = [k1 * k2, k3 * k2, k1 * k3]
+    >>> [tuple(x) for x in zeros_on_sphere(products, k, but=k1 + k3).points]
     [(0, 0, 1), (0, 0, -1), (1, 0, 0), (-1, 0, 0)]
     >>> points, (circle,) = zeros_on_sphere([k1 * k2, k1 * k3], k)
     >>> [tuple(x) for x in points], circle.axis
@@ -72,17 +74,18 @@ def _finite(system: Sequence[Terms], but: Sequence[SphereCurve], left_out: Terms
             ) -> Iterable[FieldNumbers]:
     found = finite_zeros(system, [left_out, *(curve.terms for curve in but)], above)
     if found is None:
-        raise ScopeError("polynomials have too many zeros on the sphere")
+        raise ScopeError("the polynomials have more zeros on the sphere than are found: give a field of "
+                         "lower degree")
     return found
 
 
 def _at_top(f: Terms) -> fmpq:
-    """The value at (0, 0, 1), which the projection does not show."""
+    """Return the value at (0, 0, 1), which the projection does not show."""
     return sum((c for (a, b, _), c in f.items() if not a + b), fmpq(0))
 
 
 def _top(bottom: Terms, above: Sequence[Terms]) -> FieldNumbers:
-    """(0, 0, 1) and the quotients there."""
+    """Return (0, 0, 1) and the quotients there."""
     values = [0, 0, 1, *(_at_top(f) / _at_top(bottom) for f in above)]
     numbers = Conjugates(fmpq_poly([0, 1]), [fmpq_poly([x]) for x in values], fmpq_poly([1]))
     return FieldNumbers(numbers, 0, [(n, S.One) for n in range(len(values))])

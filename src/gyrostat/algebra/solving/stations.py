@@ -1,6 +1,7 @@
 """Finds where the branches of a plane curve F(x, t) = 0 meet, begin and end as t grows.
 
-At each such place it says which of the branches on either side come to the same point.
+At each such place it says which of the branches on either side come to the same point: those in a box that no
+branch leaves through its lower or upper side.
 """
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
@@ -28,7 +29,7 @@ class Place:
 
 @dataclass(frozen=True)
 class Station:
-    """A value of t at which something happens.
+    """A value of t at which branches meet, begin or end, or another value that is asked for.
 
     Parameters
     ----------
@@ -48,9 +49,9 @@ class Station:
 
 def stations(curve: PlaneCurve, points: Iterable[tuple[Expr, Expr]],
              other: Iterable[Expr] = ()) -> list[Station]:
-    """Points of a curve, and other values of t, in order.
+    """Return the points of a curve, and other values of t, in order of t.
 
-    Each point with the branches that come to it from either side.
+    Each point comes with the branches that come to it from either side.
 
     Parameters
     ----------
@@ -65,9 +66,10 @@ def stations(curve: PlaneCurve, points: Iterable[tuple[Expr, Expr]],
     >>> from sympy import Symbol
     >>> x, t = Symbol("x"), Symbol("t")
     >>> curve = PlaneCurve(x * (x**2 - t), x, t)
-    >>> found = stations(curve, critical_points(curve))
-    >>> [(s.t, [(p.x, len(p.left), len(p.right)) for p in s.places]) for s in found]
-    [(0, [(0, 1, 3)]), (1, [(-1, 1, 0), (1, 1, 0)])]
+    >>> for s in stations(curve, critical_points(curve)):
+    ...     print(s.t, [(p.x, len(p.left), len(p.right)) for p in s.places])
+    0 [(0, 1, 3)]
+    1 [(-1, 1, 0), (1, 1, 0)]
     """
     at: dict[Expr, list[Expr]] = {t: [] for t in other}
     for t, x in dict.fromkeys(points):
@@ -83,7 +85,7 @@ def stations(curve: PlaneCurve, points: Iterable[tuple[Expr, Expr]],
 
 
 def critical_points(curve: PlaneCurve) -> list[tuple[Expr, Expr]]:
-    """(t, x) of every multiple root −1 < x < 1 and of every root ±1.
+    """Return (t, x) of every multiple root −1 < x < 1 and of every root ±1.
 
     Between them branches are simple, in a fixed order, and do not end.
     """
@@ -105,7 +107,7 @@ def _station(curve: PlaneCurve, t: Expr, places: Sequence[Expr], reach: Fraction
 
 
 def _inside(curve: PlaneCurve, t: Fraction, roots: Sequence[arb], box: Box) -> range:
-    """Which roots at t lie in a box; none lies on its sides."""
+    """Return which roots at t lie in a box; none lies on its sides, so that enough digits tell."""
     precision = BITS
     while True:
         spans = [ends(root) for root in roots]
@@ -117,7 +119,7 @@ def _inside(curve: PlaneCurve, t: Fraction, roots: Sequence[arb], box: Box) -> r
 
 
 def distance(a: Expr, b: Expr | Fraction) -> Fraction:
-    """A lower bound, more than half, of the distance of two numbers that differ."""
+    """Return a lower bound, more than half, of the distance of two numbers that differ."""
     precision = 64
     while True:
         gap = abs(ball(a - S(b), precision))
@@ -127,7 +129,7 @@ def distance(a: Expr, b: Expr | Fraction) -> Fraction:
 
 
 def beside(t: Expr, step: Fraction) -> tuple[Fraction, Fraction]:
-    """Two fractions on either side of a number, within a step."""
+    """Return two fractions on either side of a number, within a step."""
     n = max(4, step.denominator.bit_length() - step.numerator.bit_length() + 3)
     precision = 64 + n
     while (enclosure := ball(t, precision)).rad() > arb(2) ** -n:
@@ -137,7 +139,7 @@ def beside(t: Expr, step: Fraction) -> tuple[Fraction, Fraction]:
 
 
 def between(a: Expr, b: Expr) -> Fraction:
-    """A short fraction well between two numbers, a < b."""
+    """Return a short fraction well between two numbers, a < b."""
     precision = 64
     while not (high := ball(b, precision)) > (low := ball(a, precision)):
         precision *= 2

@@ -1,4 +1,4 @@
-"""Zeros of an expression in one name, and where it changes its sign: exact, or enclosed."""
+"""Zeros of an expression in one name, and where it changes its sign: exact, or enclosed by bisection."""
 from fractions import Fraction
 from itertools import pairwise
 
@@ -16,26 +16,26 @@ FINEST, BITS = Fraction(1, 2**48), 192
 
 
 def inner(a: Expr, b: Expr) -> Rational:
-    """A fraction between two exact numbers."""
+    """Return a fraction between two exact numbers."""
     return to_sympy(between(a, b))
 
 
 def changes_of_sign(expression: Expr, free: Symbol, low: Expr, high: Expr) -> list[Expr]:
-    """Where an expression in one name changes its sign, strictly between two numbers, complete."""
+    """Return where an expression in one name changes its sign, strictly between two numbers, complete."""
     cuts = [low, *zeros_inside(expression, free, low, high), high]
     signs = [sign_of_constant(evaluate(expression, {free: inner(a, b)})) for a, b in pairwise(cuts)]
     return [zero for zero, before, after in zip(cuts[1:], signs, signs[1:]) if before != after]
 
 
 def zeros_inside(expression: Expr, free: Symbol, low: Expr, high: Expr) -> list[Expr]:
-    """The zeros, none of an expression without the name."""
+    """Return the zeros between two numbers; none if the name does not occur."""
     return zeros_of(expression, free, low, high) if expression.has(free) else []
 
 
 def zeros_of(expression: Expr, free: Symbol, low: Expr, high: Expr) -> list[Expr]:
-    """The zeros of an expression in one name.
+    """Return the zeros of an expression in one name between two numbers.
 
-    Exact where it is rational, else within 2⁻⁴⁸ of the range, by enclosures.
+    They are exact if it is rational in the name, else within 2⁻⁴⁸ of the range, by enclosures.
     """
     try:
         return real_roots(expression, free, low, high) or []
@@ -47,9 +47,10 @@ def zeros_of(expression: Expr, free: Symbol, low: Expr, high: Expr) -> list[Expr
 
 def _enclosed(f: Expr, slope: Expr, free: Symbol, a: Fraction, b: Fraction,
               finest: Fraction) -> list[Fraction]:
-    """Every zero, by halving.
+    """Return every zero, by bisection with balls.
 
-    None where the enclosure excludes 0, one or none where that of the slope does.
+    There is none where the ball of the expression excludes 0, and at most one where that of the slope does:
+    then the signs at the ends tell.
     """
     found: list[Fraction] = []
     waiting = [(a, b)]

@@ -1,4 +1,4 @@
-"""A part of a text: its expression, and bounds on what expanding it, or asking for its value, could cost."""
+"""Parts of a text: an expression each, with bounds on what it would cost to expand or evaluate it."""
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
@@ -27,10 +27,10 @@ _FOREIGN = (I, S.NaN, S.ComplexInfinity, S.Infinity, S.NegativeInfinity, sympy.M
 
 
 class Cost(NamedTuple):
-    """Bounds on an expression that is expanded.
+    """Bounds on an expression once it is expanded.
 
-    size: log₂ of its value where no symbol exceeds 1. partial: terms or degree of what is made of functions
-    that are real only somewhere, as log(k3); of these SymPy looks for real and imaginary parts, which takes
+    size: log₂ of its value if no symbol exceeds 1. partial: terms or degree of what is made of functions that
+    are real only somewhere, as log(k3); SymPy looks for the real and imaginary parts of these, which takes
     its time.
     """
 
@@ -41,13 +41,13 @@ class Cost(NamedTuple):
     partial: int = 0
 
     def fits(self, terms: int) -> bool:
-        """Whether it is within the limits."""
+        """Tell whether it is within the limits."""
         return self.terms <= terms and self.degree <= DEGREE and self.bits <= BITS
 
 
 @dataclass(frozen=True)
 class Part:
-    """A parsed part.
+    """A part of a text that has been parsed.
 
     Parameters
     ----------
@@ -67,37 +67,37 @@ class Part:
 
     @property
     def doubtful(self) -> bool:
-        """Whether it is a constant that the enclosure does not tell from 0."""
+        """Whether it is a constant that its enclosure does not tell from 0."""
         return self.ball is not None and self.value != 0 and 0 in self.ball
 
 
 def constant(value: Rational) -> Part:
-    """A rational number."""
+    """Return the part of a rational number."""
     return Part(value, of_number(value), 0, ball(value, magnitudes.PRECISION))
 
 
 def of_number(value: Rational) -> Cost:
-    """Bounds of a rational number."""
+    """Return the bounds of a rational number."""
     top, bottom = int(value.p).bit_length(), int(value.q).bit_length()
     return Cost(bits=max(top, bottom, 1), size=top - bottom + 1)
 
 
 def of_sum(costs: Sequence[Cost]) -> Cost:
-    """Bounds of a sum."""
+    """Return the bounds of a sum."""
     return _joined(Cost(sum(c.terms for c in costs), max(c.degree for c in costs),
                         max(c.bits for c in costs) + len(costs).bit_length(),
                         max(c.size for c in costs) + math.log2(len(costs))), max(c.partial for c in costs))
 
 
 def of_product(costs: Sequence[Cost]) -> Cost:
-    """Bounds of a product."""
+    """Return the bounds of a product."""
     return _joined(Cost(math.prod(c.terms for c in costs), sum(c.degree for c in costs),
                         sum(c.bits for c in costs), sum(c.size for c in costs)),
                    max(c.partial for c in costs))
 
 
 def of_power(base: Cost, exponent: Rational) -> Cost:
-    """Bounds of a rational power."""
+    """Return the bounds of a rational power."""
     times, root = abs(int(exponent.p)), int(exponent.q)
     if base.terms == 1:
         terms = 1
@@ -111,9 +111,9 @@ def of_power(base: Cost, exponent: Rational) -> Cost:
 
 
 def factored(base: Part, root: int) -> int:
-    """Bits of the number that SymPy factors for a root, where it writes n**(-1/7) as n**(6/7)/n.
+    """Return the bits of the number that SymPy factors for a root; 0 if there is no root.
 
-    0 where there is no root.
+    SymPy writes n**(-1/7) as n**(6/7)/n, and factors n.
     """
     # of what is only typeset nothing is computed
     factors = Mul.make_args(base.value) if isinstance(base.value, Expr) else ()
@@ -126,7 +126,7 @@ def factored(base: Part, root: int) -> int:
 
 
 def _without_tens(number: int) -> int:
-    """Bits of a whole number without its factors 2 and 5, which are found at once."""
+    """Return the bits of a whole number without its factors 2 and 5, which are found at once."""
     for prime in (2, 5):
         while number and number % prime == 0:
             number //= prime
@@ -134,9 +134,9 @@ def _without_tens(number: int) -> int:
 
 
 def factored_by(name: str, argument: Part) -> int:
-    """The same for a function.
+    """Return the bits of the number that SymPy factors for a function.
 
-    One of an inverse function is a root of a number twice as long, exp(c*log(r)) is the power r**c.
+    A function of an inverse function is a root of a number twice as long; exp(c*log(r)) is the power r**c.
     """
     found = [8 * argument.cost.bits if argument.value.has(*_INVERSE) else 0]
     for term in Add.make_args(argument.value) if name == "exp" else ():
@@ -148,7 +148,7 @@ def factored_by(name: str, argument: Part) -> int:
 
 
 def of_function(name: str, argument: Cost) -> Cost:
-    """Bounds of an elementary function."""
+    """Return the bounds of an elementary function."""
     partial = max(argument.partial, int(name in _SOMEWHERE))
     if name not in _EXPONENTIAL:
         return Cost(1, 1, argument.bits, math.log2(argument.bits + 1) if name in _LOGARITHMIC else 1.0,
@@ -162,7 +162,7 @@ def _joined(cost: Cost, partial: int) -> Cost:
 
 
 def of_expression(expression: Expr) -> Cost:
-    """Bounds of any expression, from its tree."""
+    """Return the bounds of any expression, from its tree."""
     return in_arithmetic(expression, _COSTS)
 
 
@@ -180,9 +180,9 @@ _COSTS = Arithmetic(_cost_of_leaf, of_sum, of_product, of_power, _cost_of_functi
 
 
 def enclosure(expression: Expr, known: Mapping[Symbol, arb] = NOTHING) -> arb | None:
-    """Of an expression that has been built.
+    """Enclose an expression that has been built.
 
-    None where it has another name or a function that is not in the grammar.
+    None if it has another name, or a function that is not in the grammar.
     """
     def leaf(node: Expr) -> arb | None:
         if isinstance(node, Symbol):
@@ -205,9 +205,9 @@ def _applied(node: Expr, arguments: Sequence[arb | None]) -> arb | None:
 
 
 def immoderate(expression: Expr, known: Mapping[Symbol, arb]) -> Expr | None:
-    """A function in it that is asked at a number of more than 4000 bits, which takes as many digits.
+    """Return a function whose argument is above 2⁴⁰⁰⁰ in size; None if there is none.
 
-    None where there is none.
+    Its value would take as many bits of precision.
     """
     for node in occurring(expression, sympy.Function):
         argument = enclosure(node.args[0], known) if type(node).__name__ in magnitudes.FUNCTIONS else None
@@ -217,10 +217,10 @@ def immoderate(expression: Expr, known: Mapping[Symbol, arb]) -> Expr | None:
 
 
 def foreign(value: Expr) -> bool:
-    """Whether SymPy made something of it that is not real, not finite or not in the grammar."""
+    """Tell whether SymPy made something that is not real, not finite or not in the grammar."""
     return bool(value.has(*_FOREIGN))
 
 
 def rewritten(value: Expr) -> Expr:
-    """In the functions of the grammar: SymPy turns tan(x + π/2) into −cot x."""
+    """Write an expression in the functions of the grammar: SymPy turns tan(x + π/2) into −cot x."""
     return value.replace(cot, lambda x: 1 / tan(x)) if value.has(cot) else value

@@ -1,7 +1,4 @@
-"""Files and lines from outside.
-
-What would make their parsers slow, large or deep is refused before they are asked.
-"""
+"""Reads files and lines from outside, and refuses first what would make their parsers slow or deep."""
 import json
 import re
 import tomllib
@@ -33,23 +30,23 @@ class Written:
 
 
 def name_of(text: str) -> str:
-    """The name of a parameter that a text is, in ASCII, π₃⁰ as pi3_0; "" if it is none."""
+    """Return the name of a parameter that a text is, in ASCII, π₃⁰ as pi3_0; "" if it is none."""
     return spelled(text) if len(text) <= NAME else ""
 
 
 def unknown_letter(text: str) -> str:
-    """What to say of the first letter of a name that no name has; "" where there is none."""
+    """Return what to say about the first letter of a name that no name has; "" if there is none."""
     strange = [c for c in text if c.isalpha() and not c.isascii() and not spelled(c)]
     return f", {character(strange[0])} is in no name" if strange else ""
 
 
 def is_name(text: str) -> bool:
-    """Whether it is the name of a parameter, in ASCII."""
+    """Tell whether a text is the name of a parameter, in ASCII."""
     return text != "" and name_of(text) == text
 
 
 def toml_of(path: Path | Traversable) -> dict[str, Any]:
-    """The tables of a TOML file.
+    """Return the tables of a TOML file.
 
     Raises
     ------
@@ -87,14 +84,14 @@ def toml_of(path: Path | Traversable) -> dict[str, Any]:
 
 
 def _written(number: str) -> Written:
-    """A number of TOML, without the _ between its digits."""
+    """Return a number of TOML, without the _ between its digits."""
     if not any(map(str.isdigit, number)):
         raise ValueError(f"{number} is not a number: give a finite number")
     return Written(number.replace("_", ""))
 
 
 def _texts(value: Any) -> Iterator[str]:
-    """All keys and texts."""
+    """Yield all keys and texts."""
     if isinstance(value, str):
         yield value
     elif isinstance(value, dict):
@@ -107,7 +104,7 @@ def _texts(value: Any) -> Iterator[str]:
 
 
 def json_object(line: bytes) -> dict[str, Any]:
-    """The object of a line, its numbers as the text that they are written as.
+    """Return the object of a line, its numbers as the text that they are written as.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""What would be slow is refused before it is computed.
+"""Refuses what would be slow, before it is computed.
 
 Each part of a text carries bounds on what expanding it could cost, and each constant an enclosure, so that
 SymPy is never asked for the sine of a number with 10⁵⁰ digits.
@@ -29,19 +29,19 @@ class Limited(Scanner):
         self.depth, self.calls = 0, 0
 
     def deeper(self) -> None:
-        """Count one level more."""
+        """Count one level more, and refuse the text if these are too many."""
         self.depth += 1
         if self.depth > DEPTH:
             self.fail(f"it is nested more than {DEPTH} deep", "write it flatter")
 
     def called(self, todo: str = "write it shorter") -> None:
-        """Count one function more."""
+        """Count one function more, and refuse the text if these are too many."""
         self.calls += 1
         if self.calls > CALLS:
             self.fail(f"it has more than {CALLS} functions", todo)
 
     def nested(self, nesting: int) -> int:
-        """The number of functions and roots inside one another, if it is within the limit."""
+        """Return the number of functions and roots inside one another, if it is within the limit."""
         if nesting > NESTING:
             self.fail(f"its functions and roots are nested more than {NESTING} deep", "simplify it")
         return nesting
@@ -53,7 +53,7 @@ class Limited(Scanner):
                       f"the limit is {BITS} bits: shorten the numbers")
 
     def made(self, function: Callable[..., Any], *arguments: Any) -> Any:
-        """What SymPy makes of it.
+        """Return what SymPy makes of a part.
 
         Its comparisons and factors fail at some numbers that are too large for them.
         """
@@ -63,14 +63,17 @@ class Limited(Scanner):
             self.fail(f"SymPy cannot evaluate a part of it ({str(error)[:60]})", "simplify it")
 
     def remade(self, value: Expr, nesting: int, ball: Any) -> Part:
-        """What SymPy made of a root or a function, which may be another one, such as exp(2*log(x)) = x**2."""
+        """Return the part that SymPy made of a root or a function.
+
+        It may be another one, such as exp(2*log(x)) = x**2.
+        """
         if bounded_parts.foreign(value := bounded_parts.rewritten(value)):
             self.fail("a part of it is not a finite real number, or not an elementary function",
                       "check roots, logarithms and inverse functions")
         return self.bounded(value, bounded_parts.of_expression(value), nesting, ball)
 
     def checked(self, cost: Cost) -> Cost:
-        """The cost, if it is within the limits."""
+        """Return the cost, if it is within the limits."""
         if not cost.fits(self.TERMS):
             terms, degree, bits = (min(n, 10**9) for n in (cost.terms, cost.degree, cost.bits))
             self.fail(f"expanded, it could have {terms} terms, degree {degree} or numbers of {bits} bits",
@@ -78,9 +81,7 @@ class Limited(Scanner):
         return cost
 
     def finite(self, ball: Any) -> None:
-        """Refuse a constant that is not proved to be a finite real number, or that is too large or too small
-        to be one of a scene.
-        """
+        """Refuse a constant that is not proved to be a finite real number of a moderate size."""
         if ball is None:
             return
         if not ball.is_finite():
@@ -91,7 +92,7 @@ class Limited(Scanner):
                       f"numbers lie between 2**-{BITS} and 2**{BITS} in size")
 
     def bounded(self, value: Any, cost: Cost, nesting: int, ball: Any) -> Part:
-        """A part within all limits."""
+        """Return a part, if it is within all limits."""
         if isinstance(value, Rational):
             part = bounded_parts.constant(value)
             self.checked(part.cost)

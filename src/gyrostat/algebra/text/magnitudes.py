@@ -1,6 +1,6 @@
-"""How large a constant is, known before it is computed.
+"""Tells how large a constant is before it is computed, by balls of 512 bits.
 
-Enclosures of 512 bits, by operations that none of them can keep busy.
+No number can keep these operations busy.
 """
 import operator
 from collections.abc import Callable
@@ -19,9 +19,9 @@ PRECISION = 512
 
 
 def enclosed(operation: Callable[..., arb], *enclosures: arb | None) -> arb | None:
-    """What an operation makes of enclosures (not finite where it may be undefined).
+    """Apply an operation to enclosures; the result is not finite if it may be undefined.
 
-    None where one of them is not known.
+    None if one of them is not known.
     """
     if any(x is None for x in enclosures):
         return None
@@ -35,12 +35,12 @@ negated = partial(enclosed, operator.neg)                  # −x
 
 
 def applied(name: str, x: arb | None) -> arb | None:
-    """An elementary function."""
+    """Enclose an elementary function."""
     return enclosed(FUNCTIONS[name], x)
 
 
 def raised(x: arb | None, exponent: Rational) -> arb | None:
-    """x to a small rational power."""
+    """Enclose a small rational power of x."""
     top, root = int(exponent.p), int(exponent.q)
 
     def power(base: arb) -> arb:
@@ -52,7 +52,8 @@ def raised(x: arb | None, exponent: Rational) -> arb | None:
 
 
 def extent(x: arb) -> tuple[int, int | None]:
-    """Powers of 2 that a finite enclosure lies between in size; the lower one None where it may be 0."""
+    """Return the powers of 2 between which a finite enclosure lies in size; the lower is None if it may be 0.
+    """
     with own_precision(PRECISION):
         ends: list[Any] = [x.abs_upper(), x.abs_lower()]
         high, low = (_exponent(end) for end in ends)
@@ -60,6 +61,6 @@ def extent(x: arb) -> tuple[int, int | None]:
 
 
 def _exponent(end: arb) -> int | None:
-    """n with the positive number at most 2ⁿ and more than 2ⁿ⁻²."""
+    """Return n with the positive number at most 2ⁿ and more than 2ⁿ⁻²; None for 0."""
     mantissa, exponent = map(int, end.man_exp())
     return None if mantissa == 0 else abs(mantissa).bit_length() + exponent

@@ -1,4 +1,4 @@
-"""Numbers and expressions from users become exact mathematics."""
+"""Turns numbers and expressions of users into exact mathematics; a float counts as the fraction it is."""
 import numbers
 from decimal import Decimal
 from fractions import Fraction
@@ -20,9 +20,9 @@ _NO_NUMBERS = frozenset({"nan", "inf", "infinity", "oo", "zoo"})
 
 
 def shown(number: Any, digits: int = 40) -> str:
-    """A number in a message: a rational exactly if it is short, with the decimal that a double was.
+    """Return a number for a message: a short rational exactly, with the decimal that a double was.
 
-    Anything else rounded.
+    Any other number is rounded.
 
     Examples
     --------
@@ -40,9 +40,9 @@ def shown(number: Any, digits: int = 40) -> str:
 
 
 def double(value: Expr) -> str:
-    """The decimal that a rational was, as far as can be told.
+    """Return the decimal that a rational was, as far as can be told.
 
-    That of a double which is longer as a fraction; "" for any other number.
+    It is told for a double that is longer as a fraction; "" is returned for any other number.
     """
     if not isinstance(value, Rational) or value.q.bit_count() != 1 or not 2**20 <= value.q < 2**1075:
         return ""
@@ -51,14 +51,16 @@ def double(value: Expr) -> str:
 
 
 def exact_expression(value: Any, name: str = "value") -> Expr:
-    """An expression in our symbols, matched by name, its floats the dyadic rationals they are.
+    """Return an expression in our symbols, matched by name, its floats the dyadic rationals they are.
 
-    Or an exact number. A text is read by the grammar, as on the command line.
+    It may be an exact number. A text is read by the grammar, as on the command line.
 
     Examples
     --------
-    >>> exact_expression("k1*k2 + m0*k3"), exact_expression("25 g m^2", "I1"), exact_expression(0.5)
-    (k1*k2 + k3*m0, 1/40, 1/2)
+    >>> exact_expression("k1*k2 + m0*k3"), exact_expression(0.5)
+    (k1*k2 + k3*m0, 1/2)
+    >>> exact_expression("25 g m^2", "I1")
+    1/40
     """
     if isinstance(value, str):
         return in_si(value, name)[0]
@@ -74,11 +76,12 @@ def exact_expression(value: Any, name: str = "value") -> Expr:
 
 
 def exact_number(value: Any, name: str = "value") -> Expr:
-    """The exact real number a user means: a Rational, or a SymPy constant where it is irrational.
+    """Return the exact real number that a user means.
 
-    int, Fraction, Decimal, SymPy numbers and strings are what they say; a float, or an mpmath.mpf, is the
-    dyadic rational it is. An array of one number and no axis is that number. A text may have a unit, of the
-    dimension of the name, and so may the quantity of a library of units: the number is that in SI.
+    It is a Rational, or a SymPy constant if it is irrational. int, Fraction, Decimal, SymPy numbers and
+    strings are what they say; a float, or an mpmath.mpf, is the dyadic rational it is. An array of one number
+    and no axis is that number. A text may have a unit, of the dimension of the name, and so may the quantity
+    of a library of units: the number is that in SI.
 
     Examples
     --------
@@ -121,7 +124,7 @@ def exact_number(value: Any, name: str = "value") -> Expr:
 
 
 def _text(text: str, name: str) -> Expr:
-    """The number that a text stands for."""
+    """Return the number that a text stands for."""
     value, _ = in_si(text, name)
     if not value.free_symbols:
         return value
@@ -133,7 +136,7 @@ def _text(text: str, name: str) -> Expr:
 
 
 def _dyadic(value: Any, name: str) -> Rational:
-    """The number that a float of any precision is."""
+    """Return the number that a float of any precision is."""
     _, mantissa, exponent, bits = value._mpf_
     if abs(exponent) + bits > LONGEST:
         raise ValuesError(f"{name} = {value} is too long: numbers have up to {LONGEST} bits")

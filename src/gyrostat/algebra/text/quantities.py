@@ -1,4 +1,4 @@
-"""Quantities with units, as 120 kg m^2 or 3000 rpm: exact numbers in SI, their dimensions checked.
+"""Reads quantities with units, as 120 kg m^2 or 3000 rpm: exact numbers in SI, their dimensions checked.
 
 quantity := sum [unit (('*' | '/')? unit)*]
 unit     := name ['**' integer]
@@ -20,14 +20,14 @@ POWER, FACTORS = 9, 8                                  # of a unit, and of units
 
 
 class Dimension(NamedTuple):
-    """Powers of mass, length and time."""
+    """The powers of mass, length and time in a quantity."""
 
     mass: int
     length: int
     time: int
 
     def __str__(self) -> str:
-        """In SI; an angle is a pure number."""
+        """Return the unit in SI; an angle is a pure number."""
         return " ".join(f"{name}^{power}" if power != 1 else name
                         for name, power in zip(("kg", "m", "s"), self) if power) or "rad, or none"
 
@@ -48,7 +48,7 @@ _BESIDE = MappingProxyType({
     "coupling": Dimension(1, 1, 0), "--energy": _TORQUE, "--momentum": _MOMENTUM, "--until": _TIME,
     "--step": _TIME})
 _FOOT, _POUND, _GRAVITY = Rational("0.3048"), Rational("0.45359237"), Rational("9.80665")
-# of each its SI number, exact, and whether it takes the prefixes of SI
+# for each its SI number, exact, its dimension, and whether it takes the prefixes of SI
 _UNITS: dict[str, tuple[Expr, Dimension, bool]] = {
     "g": (Rational(1, 1000), _MASS, True), "m": (S.One, _LENGTH, True), "s": (S.One, _TIME, True),
     "rad": (S.One, NONE, True), "N": (S.One, _FORCE, True), "J": (S.One, _TORQUE, True),
@@ -67,7 +67,7 @@ _PREFIXES = {"n": -9, "u": -6, "m": -3, "c": -2, "k": 3, "M": 6, "G": 9}
 
 
 def dimension_of(name: str) -> Dimension | None:
-    """What a name is a number of; None of a parameter of the user, which may be anything."""
+    """Return the dimension of a name; None for a parameter of the user, which may be anything."""
     entry = NOTATION.get(name)
     if entry is None:
         return _BESIDE.get(name, _BESIDE.get(name.partition(" of ")[0]))       # inertia of a named body
@@ -76,7 +76,7 @@ def dimension_of(name: str) -> Dimension | None:
 
 
 def unit(name: str) -> tuple[Expr, Dimension] | None:
-    """A unit in SI, exact, and its dimension; None where there is none of that name.
+    """Return a unit in SI, exactly, and its dimension; None if there is none of that name.
 
     Examples
     --------
@@ -92,12 +92,12 @@ def unit(name: str) -> tuple[Expr, Dimension] | None:
 
 
 class _Quantity(Parser):
-    """A number, or with a unit after it a quantity."""
+    """A number, or a quantity if a unit stands after it."""
 
     HINT = Parser.HINT + ", and units after a number, 120 kg m^2"
 
     def quantity(self) -> tuple[Expr, Dimension | None]:
-        """The expression in SI, and the dimension of what has a unit."""
+        """Return the expression in SI, and the dimension of what has a unit."""
         value = self.sum().value
         if not self.peek():
             return value, None
@@ -108,7 +108,7 @@ class _Quantity(Parser):
         return Mul(value, factor), dimension
 
     def units(self) -> tuple[Expr, Dimension]:
-        """A product of units, each a power; a name after another one is a factor."""
+        """Parse a product of units, each a power; a name after another one is a factor."""
         factor, powers, sign = S.One, [0, 0, 0], 1
         for _ in range(FACTORS):
             size, dimension = self.unit()
@@ -133,7 +133,7 @@ class _Quantity(Parser):
         return found
 
     def exponent(self) -> int:
-        """A whole number, or one in parentheses."""
+        """Parse a whole number, or one in parentheses."""
         wrapped, sign = self.take("("), -1 if self.take("-") else 1
         kind, token = self.tokens[self.place]
         if kind != "number" or not token.isdecimal() or int(token[:4]) > POWER:
@@ -145,7 +145,7 @@ class _Quantity(Parser):
 
 
 def quantity(text: str) -> tuple[Expr, Dimension | None]:
-    """The expression that a text stands for, in SI where it has a unit, and the dimension of that.
+    """Return the expression that a text stands for, in SI if it has a unit, and its dimension.
 
     Parameters
     ----------
@@ -173,7 +173,7 @@ def quantity(text: str) -> tuple[Expr, Dimension | None]:
 
 
 def in_si(value: Any, name: str) -> tuple[Expr, bool]:
-    """The number that a text stands for under a name, and whether it has a unit.
+    """Return the number that a text stands for under a name, and whether it has a unit.
 
     Parameters
     ----------
@@ -199,8 +199,7 @@ def in_si(value: Any, name: str) -> tuple[Expr, bool]:
 
 
 def text_of(value: Any) -> Any:
-    """The quantity of a library of units, as pint's, as a text, its magnitude as it prints; else what it is.
-    """
+    """Return the quantity of a library of units, as pint's, as a text, and anything else as it is."""
     if hasattr(value, "magnitude") and hasattr(value, "units"):
         return f"{value.magnitude} {value.units:~C}"
     return value

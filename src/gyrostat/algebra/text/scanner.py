@@ -1,4 +1,4 @@
-"""The tokens of a text: numbers, names, operators and parentheses."""
+"""Cuts a text into tokens: numbers, names, operators and parentheses."""
 import re
 from typing import NoReturn
 
@@ -43,7 +43,7 @@ class Scanner:
         return tokens
 
     def _plain(self, tokens: list[Token]) -> list[Token]:
-        """The tokens in ASCII: x^2 and x² as x**2, √x as sqrt(x), names as they stand in the table."""
+        """Return the tokens in ASCII: x^2 and x² as x**2, √x as sqrt(x), names as they stand in the table."""
         plain = list[Token]()
         for (_, before), (kind, text), (after, sign) in zip([END, *tokens], tokens, [*tokens[1:], END]):
             if kind == "raised":
@@ -61,7 +61,7 @@ class Scanner:
         return plain
 
     def _raised(self, text: str, power: bool) -> list[Token]:
-        """A superscript as a power."""
+        """Return a superscript as a power."""
         digits = lowered(text)
         if not re.fullmatch("-?[1-9][0-9]*", digits):
             self.fail(f"the superscript {text[:12]} is no exponent",

@@ -1,4 +1,4 @@
-"""Names and signs as papers and the library print them, π₃⁰, ω, −, ^, and in the ASCII of the grammar."""
+"""Translates names and signs as papers and the library print them, π₃⁰, ω, −, ^, into ASCII."""
 import re
 from unicodedata import name as title
 
@@ -26,12 +26,12 @@ _ASCII = str.maketrans({**_LETTERS, **_LOWERED, "⁰": "_0"})
 
 
 def spelled(text: str) -> str:
-    """The name that a text is, as it stands in the table of notation; "" if it is none.
+    """Return the name that a text is, as it stands in the table of notation; "" if it is none.
 
     Examples
     --------
-    >>> spelled("π₃⁰"), spelled("I₁"), spelled("ω"), spelled("U″"), spelled("k₃²")
-    ('pi3_0', 'I1', 'omega', 'd2U', '')
+    >>> [spelled(text) for text in ("π₃⁰", "I₁", "ω", "U″", "k₃²")]
+    ['pi3_0', 'I1', 'omega', 'd2U', '']
     """
     if re.fullmatch(NAME, text) is None:
         return ""
@@ -45,7 +45,7 @@ def spelled(text: str) -> str:
 
 
 def names_in(text: str) -> set[str]:
-    """What reads as a name in a text, which may be several expressions.
+    """Return all that reads as a name in a text, which may be several expressions.
 
     Examples
     --------
@@ -56,7 +56,7 @@ def names_in(text: str) -> set[str]:
 
 
 def lowered(superscript: str) -> str:
-    """The digits and the sign of a superscript.
+    """Return the digits and the sign of a superscript.
 
     Examples
     --------
@@ -67,7 +67,7 @@ def lowered(superscript: str) -> str:
 
 
 def character(c: str) -> str:
-    """A character and its name, of those that look like others.
+    """Return a character and its name, if it is one of those that look like others.
 
     Examples
     --------
