@@ -1,7 +1,7 @@
 """Euler angles: rotation from the body to space, angular velocity, and the rates of the angles.
 
-R = Rz(φ) Rₓ(θ) Rz(ψ) ("zxz") or Rz(φ) R_y(θ) Rz(ψ) ("zyz"), with x_space = R x_body; hat(ω) = Rᵀ Ṙ in body
-axes, and the direction of the field is k = Rᵀ e_z, the same bracket's k: k̇ = k × ω.
+The rotation is R = Rz(φ) Rₓ(θ) Rz(ψ) ("zxz") or Rz(φ) R_y(θ) Rz(ψ) ("zyz"), with x_space = R x_body. In body
+axes hat(ω) = Rᵀ Ṙ, and the direction of the field is k = Rᵀ e_z, the k of the bracket: k̇ = k × ω.
 """
 from collections.abc import Sequence
 from functools import cache
@@ -20,7 +20,7 @@ CONVENTIONS = ("zxz", "zyz")
 
 
 def elementary(axis: str, angle: Expr) -> ImmutableMatrix:
-    """Rotation by an angle about the axis x, y or z."""
+    """Return the rotation by an angle about the axis x, y or z."""
     c, s = cos(angle), sin(angle)
     return ImmutableMatrix({"x": [[1, 0, 0], [0, c, -s], [0, s, c]], "y": [[c, 0, s], [0, 1, 0], [-s, 0, c]],
                             "z": [[c, -s, 0], [s, c, 0], [0, 0, 1]]}[axis])
@@ -29,7 +29,7 @@ def elementary(axis: str, angle: Expr) -> ImmutableMatrix:
 @checked
 @cache
 def rotation(convention: str = "zxz") -> ImmutableMatrix:
-    """R in the angles phi, theta, psi: from body to space axes.
+    """Return the rotation R in the angles phi, theta, psi, from body to space axes.
 
     Parameters
     ----------
@@ -52,14 +52,14 @@ def rotation(convention: str = "zxz") -> ImmutableMatrix:
     Matrix([[sin(psi)*sin(theta), sin(theta)*cos(psi), cos(theta)]])
     """
     if convention not in CONVENTIONS:
-        raise ScopeError(f"convention = {convention!r}: the Euler angles here are {' or '.join(CONVENTIONS)}")
+        raise ScopeError(f"convention = {convention!r} is not known: give {' or '.join(CONVENTIONS)}")
     factors = [elementary(axis, angle) for axis, angle in zip(convention, ANGLES)]
     return ImmutableMatrix(factors[0] * factors[1] * factors[2])
 
 
 @cache
 def nodes(convention: str = "zxz") -> ImmutableMatrix:
-    """Columns: the axes of φ̇, θ̇ and ψ̇ in body components, so that ω = nodes · (φ̇, θ̇, ψ̇).
+    """Return the axes of φ̇, θ̇ and ψ̇ in body components, as columns: ω = nodes · (φ̇, θ̇, ψ̇).
 
     Each column is read from hat(ω) = Rᵀ ∂R/∂angle.
 
@@ -75,7 +75,7 @@ def nodes(convention: str = "zxz") -> ImmutableMatrix:
 
 @checked
 def angular_velocity(convention: str = "zxz") -> ImmutableMatrix:
-    """ω in body components, in the angles and their rates phi_dot, theta_dot, psi_dot.
+    """Return ω in body components, in the angles and their rates phi_dot, theta_dot, psi_dot.
 
     Parameters
     ----------
@@ -106,13 +106,13 @@ def angular_velocity(convention: str = "zxz") -> ImmutableMatrix:
 
 
 def direction(convention: str = "zxz") -> ImmutableMatrix:
-    """k = Rᵀ e_z in body components, shape (3, 1)."""
+    """Return k = Rᵀ e_z in body components, shape (3, 1)."""
     return rotation(convention).row(2).T
 
 
 @checked
 def angle_rates(omega: Sequence[Expr] | ImmutableMatrix, convention: str = "zxz") -> tuple[Expr, ...]:
-    """(φ̇, θ̇, ψ̇) of an angular velocity in body components, where sin θ ≠ 0.
+    """Return (φ̇, θ̇, ψ̇) for an angular velocity in body components, if sin θ ≠ 0.
 
     Parameters
     ----------
@@ -140,8 +140,8 @@ def angle_rates(omega: Sequence[Expr] | ImmutableMatrix, convention: str = "zxz"
     Examples
     --------
     >>> import gyrostat as gs
-    >>> rates = gs.mechanics.angle_rates([gs.symbol(f"omega{i}") for i in (1, 2, 3)])
-    >>> rates[1]
+    >>> omega = [gs.symbol(f"omega{i}") for i in (1, 2, 3)]
+    >>> gs.mechanics.angle_rates(omega)[1]
     omega1*cos(psi) - omega2*sin(psi)
     """
     components = several(omega, "the angular velocity", 3)
@@ -151,7 +151,7 @@ def angle_rates(omega: Sequence[Expr] | ImmutableMatrix, convention: str = "zxz"
 
 
 def reduced(expression: Expr) -> Expr:
-    """In lowest terms, with sin² + cos² = 1."""
+    """Return the expression in lowest terms, reduced by sin² + cos² = 1."""
     ring = Ring([expression])
     top, bottom = ring.fraction(expression)
     return ring.quotient(top, ring.reduce(bottom))

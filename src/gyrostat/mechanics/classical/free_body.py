@@ -1,4 +1,4 @@
-"""Free bodies: Euler's equations with a torque, limits of the motion, polhode period."""
+"""Free bodies: Euler's equations with a torque, limits of the motion, polhode period by Gauss's AGM."""
 from collections.abc import Sequence
 from typing import Any
 
@@ -20,15 +20,15 @@ MOST_DIGITS = 10_000
 
 @checked
 def torque_equations(body: Gyrostat, torque: Sequence[Any] = ("tau1", "tau2", "tau3")) -> ImmutableMatrix:
-    """π̇ = M × ω + τ: the right-hand side with an external torque in body components.
+    """Return π̇ = M × ω + τ, Euler's equations with an external torque in body components.
 
-    In general no Hamiltonian system: no stability is claimed for it.
+    They are in general no Hamiltonian system: no stability is claimed for them.
 
     Parameters
     ----------
     body : Gyrostat
     torque : sequence of three
-        expressions [M L²/T²], or texts of such; by default tau1, tau2, tau3
+        expressions [M L²/T²], or texts of such; default: tau1, tau2, tau3
 
     Returns
     -------
@@ -47,7 +47,8 @@ def torque_equations(body: Gyrostat, torque: Sequence[Any] = ("tau1", "tau2", "t
     Examples
     --------
     >>> import gyrostat as gs
-    >>> gs.mechanics.torque_equations(gs.Gyrostat(gyrostatic_momentum=(0, 0, 0)))[2].factor()
+    >>> body = gs.Gyrostat(gyrostatic_momentum=(0, 0, 0))
+    >>> gs.mechanics.torque_equations(body)[2].factor()
     (I1*I2*tau3 + I1*pi1*pi2 - I2*pi1*pi2)/(I1*I2)
     """
     if len(torque) != 3:
@@ -60,7 +61,7 @@ def torque_equations(body: Gyrostat, torque: Sequence[Any] = ("tau1", "tau2", "t
 
 @checked
 def momentum_limits(body: Gyrostat, energy: Any) -> tuple[Expr, Expr]:
-    """The least and the largest abs(M)² of a free body at an energy.
+    """Return the least and the largest abs(M)² of a free body at an energy.
 
     Between them the sphere abs(M)² = const meets the ellipsoid Σ Mᵢ²/Iᵢ = 2E. They are 2 E I for the smallest
     and the largest moment, reached by the rotations about those axes.
@@ -91,24 +92,25 @@ def momentum_limits(body: Gyrostat, energy: Any) -> tuple[Expr, Expr]:
     Examples
     --------
     >>> import gyrostat as gs
-    >>> gs.mechanics.momentum_limits(gs.Gyrostat((1, 2, 3), (0, 0, 0)), 5)
+    >>> body = gs.Gyrostat((1, 2, 3), (0, 0, 0))
+    >>> gs.mechanics.momentum_limits(body, 5)
     (10, 30)
     """
     if any(body.gyrostatic_momentum):
-        raise ScopeError("the ellipsoid is centred only without a rotor; the body has l = "
-                         f"{body.gyrostatic_momentum}")
+        raise ScopeError(f"the body has a rotor, l = {body.gyrostatic_momentum}, and the ellipsoid of its "
+                         "energy is centred at M = 0 only without one: give gyrostatic_momentum=(0, 0, 0)")
     twice = 2 * exact_expression(energy, "energy")
     if twice.is_negative:
-        raise ValuesError(f"energy = {twice / 2}: the kinetic energy of a body is not negative")
+        raise ValuesError(f"energy = {twice / 2} is negative, and no kinetic energy is: give 0 or more")
     return twice * Min(*body.moments), twice * Max(*body.moments)
 
 
 @checked
 def polhode_period(inertia: Sequence[Any], momentum: Sequence[Any], digits: int = 15) -> Expr:
-    """Period of M in the body, for a free rigid body; infinite on the separatrix.
+    """Return the period of M in the body, for a free rigid body; infinite on the separatrix.
 
-    T = 4 K(κ) √(I1 I2 I3 / ((I3 − I2)(M² − 2 E I1))), κ² = (I2 − I1)(2 E I3 − M²) / ((I3 − I2)(M² − 2 E I1)),
-    I1 < I2 < I3 and M² > 2 E I2; else with axes 1 and 3 exchanged.
+    With I1 < I2 < I3 and M² > 2 E I2 it is T = 4 K(κ) √(I1 I2 I3 / ((I3 − I2)(M² − 2 E I1))), where κ² = (I2
+    − I1)(2 E I3 − M²) / ((I3 − I2)(M² − 2 E I1)). With M² < 2 E I2 the axes 1 and 3 are exchanged.
 
     Parameters
     ----------
@@ -158,7 +160,7 @@ def polhode_period(inertia: Sequence[Any], momentum: Sequence[Any], digits: int 
     # (I3 − I2)(M² − 2 E I1), without cancellation
     above = (I3 - I2) * ((1 - I1 / I2) * M2**2 + (1 - I1 / I3) * M3**2)
     below = (I2 - I1) * ((I3 / I1 - 1) * M1**2 + (I3 / I2 - 1) * M2**2)      # (I2 − I1)(2 E I3 − M²)
-    # their difference, (I3 − I1)(M² − 2 E I2)
+    # above − below = (I3 − I1)(M² − 2 E I2), whose sign tells about which axis M goes round
     gap = (I3 - I1) * ((1 - I2 / I3) * M3**2 - (I2 / I1 - 1) * M1**2)
     if (side := proved_sign(gap)) == 0:
         return oo

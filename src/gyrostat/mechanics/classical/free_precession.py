@@ -1,4 +1,4 @@
-"""Precession of a free body of revolution: its rates, its tilt and its cones."""
+"""The precession of a free body of revolution: its rates, its tilt and its two cones."""
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -13,10 +13,10 @@ from ..scenes.body import Gyrostat
 
 @dataclass(frozen=True)
 class FreePrecession:
-    """Motion of a free body of revolution.
+    """The motion of a free body of revolution: regular precession.
 
-    In space ω and the axis e3 turn about M; seen from the body, ω and M turn about e3:
-    ω = (ω0 cos Ω t, −ω0 sin Ω t, ω3) from a suitable origin of time, Ω = (I1 − I3) ω3/I1.
+    In space ω and the axis e3 turn about M; seen from the body, ω and M turn about e3: ω = (ω0 cos Ω t, −ω0
+    sin Ω t, ω3) from a suitable origin of time, with Ω = (I1 − I3) ω3/I1.
 
     Parameters
     ----------
@@ -50,7 +50,7 @@ class FreePrecession:
 
 @checked
 def free_precession(inertia: Sequence[Any], transverse: Any, axial: Any) -> FreePrecession:
-    """Precession of a free rigid body of revolution.
+    """Return the rates and the cones of a free rigid body of revolution.
 
     Parameters
     ----------

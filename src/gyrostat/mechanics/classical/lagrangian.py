@@ -12,7 +12,7 @@ from .attitude import ANGLES, RATES, angular_velocity, direction, nodes
 
 @checked
 def angular_momentum(body: Gyrostat, convention: str = "zxz") -> ImmutableMatrix:
-    """M = I ω + l in body components, in the angles and their rates.
+    """Return M = I ω + l in body components, in the angles and their rates.
 
     Parameters
     ----------
@@ -33,9 +33,8 @@ def angular_momentum(body: Gyrostat, convention: str = "zxz") -> ImmutableMatrix
     Examples
     --------
     >>> import gyrostat as gs
-    >>> gs.mechanics.angular_momentum(gs.Gyrostat((gs.symbol("I1"), gs.symbol("I1"), gs.symbol("I3")),
-    ...                                           (0, 0, 0)))[2]
-    I3*(phi_dot*cos(theta) + psi_dot)
+    >>> gs.mechanics.angular_momentum(gs.symmetric_gyrostat())[2]
+    I3*(phi_dot*cos(theta) + psi_dot) + l
     """
     return ImmutableMatrix([moment * rate + rotor for moment, rate, rotor in zip(
         body.moments, angular_velocity(convention), body.gyrostatic_momentum)])
@@ -43,13 +42,13 @@ def angular_momentum(body: Gyrostat, convention: str = "zxz") -> ImmutableMatrix
 
 @checked
 def lagrangian(body: Gyrostat, potential: Potential | None = None, convention: str = "zxz") -> Expr:
-    """L = ½ ω·Iω + l·ω − U(k), in the angles and their rates.
+    """Return the Lagrangian L = ½ ω·Iω + l·ω − U(k), in the angles and their rates.
 
     Parameters
     ----------
     body : Gyrostat
     potential : Potential or None
-        U(k) of the scene; None for the free body
+        U(k) of the scene; default: the body is free
     convention : "zxz" or "zyz"
         of Euler's angles, as in rotation
 
@@ -70,9 +69,10 @@ def lagrangian(body: Gyrostat, potential: Potential | None = None, convention: s
     Examples
     --------
     >>> import gyrostat as gs
-    >>> gs.mechanics.lagrangian(gs.Gyrostat((gs.symbol("I1"), gs.symbol("I1"), gs.symbol("I3")), (0, 0, 0)),
-    ...                         gs.uniform_field())
-    I1*phi_dot**2*sin(theta)**2/2 + I1*theta_dot**2/2 + I3*(phi_dot*cos(theta) + psi_dot)**2/2 - m0*cos(theta)
+    >>> body, field = gs.symmetric_gyrostat(), gs.uniform_field()
+    >>> L = gs.mechanics.lagrangian(body, field)
+    >>> L.subs(gs.symbol("phi_dot"), 0)
+    I1*theta_dot**2/2 + I3*psi_dot**2/2 + l*psi_dot - m0*cos(theta)
     """
     in_one_direction(potential, "the Lagrangian")
     omega = angular_velocity(convention)
@@ -89,10 +89,10 @@ def lagrangian(body: Gyrostat, potential: Potential | None = None, convention: s
 
 @checked
 def momenta(body: Gyrostat, convention: str = "zxz") -> tuple[Expr, Expr, Expr]:
-    """(p_φ, p_θ, p_ψ) = ∂L/∂(φ̇, θ̇, ψ̇).
+    """Return the momenta (p_φ, p_θ, p_ψ) = ∂L/∂(φ̇, θ̇, ψ̇).
 
-    p_φ = M·k is the Casimir C1 of e(3)*, conserved in every field U(k); p_ψ = M3 = π3 + l3 is the integral
-    of a body of revolution in U(k3).
+    p_φ = M·k is the Casimir C1 of e(3)*, conserved in every field U(k); p_ψ = M3 = π3 + l3 is an integral if
+    the body is one of revolution in U(k3).
 
     Parameters
     ----------
@@ -122,9 +122,9 @@ def momenta(body: Gyrostat, convention: str = "zxz") -> tuple[Expr, Expr, Expr]:
 
 @checked
 def effective_potential(body: Gyrostat, potential: Potential) -> Expr:
-    """V(θ) of a body of revolution in U(k3).
+    """Return the effective potential V(θ) of a body of revolution in U(k3).
 
-    ½ I1 θ̇² + V = energy, in the momenta p_phi = C1 and p_psi = π3 + l.
+    It gives ½ I1 θ̇² + V = energy, in the momenta p_phi = C1 and p_psi = π3 + l (Routh's reduction):
 
     V = (p_φ − p_ψ cos θ)² / (2 I1 sin² θ) + (p_ψ − l)² / (2 I3) + U(cos θ)
 
@@ -152,8 +152,9 @@ def effective_potential(body: Gyrostat, potential: Potential) -> Expr:
     Examples
     --------
     >>> import gyrostat as gs
-    >>> gs.mechanics.effective_potential(gs.symmetric_gyrostat(), gs.uniform_field())
-    m0*cos(theta) + (-l + p_psi)**2/(2*I3) + (p_phi - p_psi*cos(theta))**2/(2*I1*sin(theta)**2)
+    >>> body, field = gs.Gyrostat((1, 1, 1), (0, 0, 0)), gs.uniform_field()
+    >>> gs.mechanics.effective_potential(body, field)
+    m0*cos(theta) + p_psi**2/2 + (p_phi - p_psi*cos(theta))**2/(2*sin(theta)**2)
     """
     in_one_direction(potential, "the effective potential")
     if not body.is_of_revolution() or not potential.axial:

@@ -1,4 +1,4 @@
-"""An equilibrium that is claimed: a point of your own, with the relations that hold on it."""
+"""Makes an equilibrium of a point that a user claims, with the relations that hold on it."""
 from collections.abc import Sequence
 from itertools import chain, repeat
 from typing import Any
@@ -15,7 +15,7 @@ from .equilibrium import Equilibrium
 @checked
 def equilibrium(scene: System, point: Sequence[Any], *, relations: Sequence[tuple[Any, Any]] = (),
                 domain: Sequence[Expr] = (), label: str = "E") -> Equilibrium:
-    """A point you claim; construction checks that the field vanishes there.
+    """Return an equilibrium at a point you claim; construction checks that the field vanishes there.
 
     Parameters
     ----------
@@ -43,7 +43,7 @@ def equilibrium(scene: System, point: Sequence[Any], *, relations: Sequence[tupl
     >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
     >>> gs.equilibrium(top, (0, 0, 0, 1, 0, 0))  # doctest: +ELLIPSIS
     Traceback (most recent call last):
-    gyrostat.errors.EquilibriumError: E is not an equilibrium: dpi2/dt = -m0. Check the point, ...
+    gyrostat.errors.EquilibriumError: E is not an equilibrium: dpi2/dt = ...
     """
     given = scene.potential is not None and scene.potential.given
     pairs = tuple((symbol(str(name)), exact_expression(value, str(name))) for name, value in relations)

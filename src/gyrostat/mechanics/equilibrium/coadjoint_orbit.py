@@ -1,4 +1,4 @@
-"""Tangent space of the coadjoint orbit, and the symplectic slice inside it."""
+"""Tangent space of the coadjoint orbit, and the symplectic slice inside it, as kernels of differentials."""
 from collections.abc import Sequence
 
 from sympy import Add, Expr, ImmutableMatrix, S
@@ -15,16 +15,16 @@ from .parallel_directions import parallel
 
 
 def differentials(eq: Equilibrium, functions: Sequence[Expr]) -> list[list[Expr]]:
-    """dF at the equilibrium, one row for each function."""
+    """Return dF at the equilibrium, one row for each function."""
     return [[entry for (entry,) in rows_at_point(eq, eq.system.space.gradient(f))] for f in functions]
 
 
 @checked
 @once
 def orbit_tangent(eq: Equilibrium) -> ImmutableMatrix:
-    """Basis of the tangent space of the coadjoint orbit, T = {δx : dC(δx) = 0}.
+    """Return a basis of the tangent space of the coadjoint orbit, T = {δx : dC(δx) = 0}.
 
-    On e(3)*: δπ·k + M·δk = 0 and δk·k = 0. The free coordinates of the basis form a diagonal.
+    On e(3)* these are δπ·k + M·δk = 0 and δk·k = 0. The free coordinates of the basis form a diagonal.
 
     Parameters
     ----------
@@ -48,15 +48,19 @@ def orbit_tangent(eq: Equilibrium) -> ImmutableMatrix:
     --------
     >>> import gyrostat as gs
     >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())
-    >>> gs.derivation.orbit_tangent(gs.upright(top)).T.tolist()
-    [[1, 0, 0, 0, 0, 0], [0, 1, 0, 0, 0, 0], [0, 0, 0, 1, 0, 0], [0, 0, 0, 0, 1, 0]]
+    >>> gs.derivation.orbit_tangent(gs.upright(top)).T
+    Matrix([
+    [1, 0, 0, 0, 0, 0],
+    [0, 1, 0, 0, 0, 0],
+    [0, 0, 0, 1, 0, 0],
+    [0, 0, 0, 0, 1, 0]])
     """
     return _kernel(eq, regular_differentials(eq))
 
 
 @once
 def regular_differentials(eq: Equilibrium) -> tuple[list[Expr], ...]:
-    """dC of the Casimirs, proved independent somewhere on the family."""
+    """Return dC of the Casimirs, proved independent somewhere on the family."""
     casimirs = eq.system.space.casimirs
     rows = differentials(eq, casimirs)
     if (rank := _rank(eq, rows)) < len(casimirs):
@@ -68,7 +72,7 @@ def regular_differentials(eq: Equilibrium) -> tuple[list[Expr], ...]:
 
 
 def _remedy(eq: Equilibrium) -> str:
-    """Why the orbit is singular, and what to do."""
+    """Return why the orbit is singular, and what to do."""
     directions = eq.system.potential.directions if eq.system.potential else ()
     if parallel(eq):
         return (f"The directions {' and '.join(directions)} are parallel there: use analyze(eq), or "
@@ -79,7 +83,7 @@ def _remedy(eq: Equilibrium) -> str:
 
 @once
 def critical_integrals(eq: Equilibrium) -> tuple[tuple[Expr, ...], tuple[Expr, ...]]:
-    """The linear integrals whose differentials depend on those of the Casimirs there, and the others."""
+    """Return the linear integrals whose differentials depend on those of the Casimirs, and the others."""
     rows = list(regular_differentials(eq))
     critical, moving = [], []
     for integral in eq.system.linear_integrals:
@@ -93,17 +97,17 @@ def critical_integrals(eq: Equilibrium) -> tuple[tuple[Expr, ...], tuple[Expr, .
 
 
 def is_critical(eq: Equilibrium, function: Expr) -> bool:
-    """Whether the differential of a function depends on those of the Casimirs there."""
+    """Tell whether the differential of a function depends on those of the Casimirs there."""
     rows = list(regular_differentials(eq))
     return _rank(eq, rows + differentials(eq, (function,))) == len(rows)
 
 
 @checked
 def symplectic_slice(eq: Equilibrium) -> ImmutableMatrix:
-    """Basis of the symplectic slice.
+    """Return a basis of the symplectic slice.
 
-    The tangent space of the level set of Casimirs and integrals, modulo the flows of the integrals. At E1
-    and E2 it is the whole tangent space of the orbit; at E3 it has dimension 2: dπ3(δx) = 0, modulo the
+    That is the tangent space of the level set of Casimirs and integrals, modulo the flows of the integrals.
+    At E1 and E2 it is the whole tangent space of the orbit; at E3 it has dimension 2: dπ3(δx) = 0, modulo the
     rotation about the axis of the body.
 
     Parameters
@@ -129,15 +133,17 @@ def symplectic_slice(eq: Equilibrium) -> ImmutableMatrix:
     --------
     >>> import gyrostat as gs
     >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())
-    >>> [gs.derivation.symplectic_slice(eq).shape for eq in (gs.upright(top), gs.inclined(top))]
-    [(6, 4), (6, 2)]
+    >>> for eq in (gs.upright(top), gs.inclined(top)):
+    ...     print(gs.derivation.symplectic_slice(eq).shape)
+    (6, 4)
+    (6, 2)
     """
     return slice_and_symmetries(eq)[0]
 
 
 @once
 def slice_and_symmetries(eq: Equilibrium) -> tuple[ImmutableMatrix, tuple[Expr, ...]]:
-    """The symplectic slice, and the integrals whose flow was divided out."""
+    """Return the symplectic slice, and the integrals whose flow was divided out."""
     _, moving = critical_integrals(eq)
     if not moving:
         return orbit_tangent(eq), ()
@@ -150,9 +156,9 @@ def slice_and_symmetries(eq: Equilibrium) -> tuple[ImmutableMatrix, tuple[Expr, 
 
 def _isotropy(eq: Equilibrium, gradients: Sequence[Sequence[Expr]],
               flows: Sequence[Sequence[Expr]]) -> list[list[Expr]]:
-    """The combinations of integrals whose flows are tangent to the level of all of them.
+    """Return the combinations of integrals whose flows are tangent to the level of all of them.
 
-    Those that their brackets annihilate: the isotropy algebra of the value of the momentum map.
+    They are those that their brackets annihilate: the isotropy algebra of the value of the momentum map.
     """
     ring, _, rows = _polynomials(eq, [*gradients, *flows])
     count = len(flows)
@@ -168,9 +174,9 @@ def _isotropy(eq: Equilibrium, gradients: Sequence[Sequence[Expr]],
 
 @once
 def orbit_modulo_symmetries(eq: Equilibrium) -> tuple[ImmutableMatrix, tuple[Expr, ...]]:
-    """Basis of the tangent space of the orbit modulo the flows of the integrals, none of which is held.
+    """Return a basis of the tangent space of the orbit modulo the flows of the integrals, none held.
 
-    And the integrals whose flow was divided out: one coordinate that each moves is held.
+    The integrals whose flow was divided out come second: one coordinate that each moves is held.
     """
     _, moving = critical_integrals(eq)
     if not moving:
@@ -179,14 +185,15 @@ def orbit_modulo_symmetries(eq: Equilibrium) -> tuple[ImmutableMatrix, tuple[Exp
 
 
 def _flows(eq: Equilibrium, integrals: Sequence[Expr]) -> list[list[Expr]]:
-    """The field of each integral at the equilibrium."""
+    """Return the Hamiltonian field of each integral at the equilibrium."""
     space = eq.system.space
     return [[entry for (entry,) in rows_at_point(eq, space.tensor * space.gradient(F))] for F in integrals]
 
 
 def _gauges(eq: Equilibrium, flows: Sequence[Sequence[Expr]]) -> list[list[Expr]]:
-    """The coordinates to be held, one for each flow: if there are any, those that a flow moves everywhere on
-    the family.
+    """Return the coordinates to be held, one for each flow, as rows.
+
+    If there are any, those are taken that a flow moves everywhere on the family.
     """
     if not flows:
         return []
@@ -202,7 +209,7 @@ def _polynomials(eq: Equilibrium, rows: Sequence[Sequence[Expr]]) -> tuple[Ring,
 
 
 def _kernel(eq: Equilibrium, rows: Sequence[Sequence[Expr]]) -> ImmutableMatrix:
-    """Basis of the common kernel; pivots that vanish nowhere on the family are preferred."""
+    """Return a basis of the common kernel; pivots that vanish nowhere on the family are preferred."""
     ring, signs, polynomials = _polynomials(eq, rows)
     size = len(eq.system.space.coordinates)
     basis = null_space(ring, polynomials, lambda j, entry: (not signs.nonzero(entry), len(entry),

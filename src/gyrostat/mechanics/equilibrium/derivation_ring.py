@@ -1,4 +1,4 @@
-"""The one ring in which what holds at an equilibrium is derived, and what is put in it."""
+"""Keeps one polynomial ring for an equilibrium, in which all that holds there is derived."""
 from collections.abc import Iterable
 
 from sympy import Expr, ImmutableMatrix, Symbol
@@ -13,20 +13,23 @@ GENERATORS, ROOTS = 10, 1
 
 
 def signs_over(eq: Equilibrium, expressions: Iterable[Expr]) -> Signs:
-    """Signs on the family, in its one ring if that holds the expressions, else in a ring of their own."""
+    """Return signs on the family, in its one ring if that holds the expressions, else in their own."""
     expressions = list(expressions)
     shared = _shared(eq)
     return shared if shared and shared.ring.holds(expressions) else Signs.over(expressions, eq.domain)
 
 
 def rows_at_point(eq: Equilibrium, matrix: ImmutableMatrix) -> list[list[Expr]]:
-    """The entries of a matrix, each at the equilibrium."""
+    """Return the entries of a matrix, each at the equilibrium."""
     return [[entry if entry.is_Number else eq.at_point(entry) for entry in row] for row in matrix.tolist()]
 
 
 @once
 def _shared(eq: Equilibrium) -> Signs | None:
-    """Signs in a ring of the body, the point, the jet of U there and a free multiplier."""
+    """Return signs in a ring of the body, the point, the jet of U there and a free multiplier.
+
+    None if that ring would have too many generators.
+    """
     body, potential = eq.system.body, eq.system.potential
     if eq.system.coupled:                                  # its names are those of the energy
         names = sorted(eq.system.hamiltonian.free_symbols - set(eq.system.space.coordinates), key=str)

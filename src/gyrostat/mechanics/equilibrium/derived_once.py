@@ -1,4 +1,4 @@
-"""Once: a verb of an equilibrium that derives its answer the first time it is asked."""
+"""Makes a verb of an equilibrium derive its answer the first time it is asked, and keep it."""
 from collections.abc import Callable
 from functools import wraps
 
@@ -6,7 +6,7 @@ from .equilibrium import Derived, Equilibrium
 
 
 def once(verb: Callable[[Equilibrium], Derived]) -> Callable[[Equilibrium], Derived]:
-    """The verb, or the class of what is derived, asked once for each equilibrium."""
+    """Return the verb, or the class of what is derived, asked once for each equilibrium."""
     @wraps(verb, updated=())
     def kept(eq: Equilibrium) -> Derived:
         return eq.derived(verb)

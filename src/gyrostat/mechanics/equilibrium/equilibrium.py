@@ -46,9 +46,9 @@ class Equilibrium(Shown, Stored):
     Examples
     --------
     >>> import gyrostat as gs
-    >>> eq = gs.inclined(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential()))
-    >>> eq.label, eq.relations
-    ('E3', ((dU, -k3*omega**2*(I1 - I3) + l*omega),))
+    >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())
+    >>> gs.inclined(top).relations
+    ((dU, -k3*omega**2*(I1 - I3) + l*omega),)
     """
 
     label: str
@@ -65,8 +65,8 @@ class Equilibrium(Shown, Stored):
                                    "one for each coordinate")
         moments = [*self.system.body.positive, *(value for name, value in self.relations if name.is_positive)]
         if impossible := [m for m in moments if not m.free_symbols and sign(m, {}) != 1]:
-            raise EquilibriumError(f"{self.label} has a relation that makes a moment or the like "
-                                   f"{impossible[0]}, not proved positive: moments of inertia are positive")
+            raise EquilibriumError(f"a relation of {self.label} gives a moment or the like the value "
+                                   f"{impossible[0]}: moments of inertia are positive; correct it")
         unknown = [m for m in (*moments, *self._inner_arguments()) if m.free_symbols and not m.is_positive
                    and m not in self.domain]
         object.__setattr__(self, "domain", (*self.domain, *dict.fromkeys(unknown)))
@@ -90,7 +90,7 @@ class Equilibrium(Shown, Stored):
             self._check_direction()
 
     def _check_direction(self) -> None:
-        """k is a unit vector (k = 0 is refused by the verbs), the relations hold for U, and it is smooth."""
+        """Check that k is a unit vector (the verbs refuse k = 0), the relations on U, that U is smooth."""
         if isinstance(self.system.potential, CoupledPotential):
             return self._check_held(self.system.potential.held)
         k = self.point[3:]
@@ -106,10 +106,10 @@ class Equilibrium(Shown, Stored):
             if not residual.free_symbols:
                 what = "is not proved to be" if sign(residual, {}) is None else "is not"
                 raise EquilibriumError(f"{self.label} {what} an equilibrium: a relation on the derivatives "
-                                       f"of U is off by {residual}")
+                                       f"of U is off by {residual}; correct the point, or U")
 
     def _check_held(self, held: Held) -> None:
-        """The directions have the lengths and the angle that the scene gives them."""
+        """Check that the directions have the lengths and the angle that the scene gives them."""
         for casimir, value in held:
             if excess := residual_of(self._placed(casimir) - value, self.insert):
                 unknown = " (not proved to be 0)" if is_identically_zero(excess) is None else ""
@@ -117,7 +117,7 @@ class Equilibrium(Shown, Stored):
                                        "correct the directions")
 
     def _inner_arguments(self) -> tuple[Expr, ...]:
-        """What has to be positive for a given U to be smooth at the point: arguments of roots."""
+        """Return what has to be positive for a given U to be smooth at the point: arguments of roots."""
         if not (potential := self.system.potential) or not potential.given:
             return ()
         found = map(self._placed, smooth_where_positive(potential.expression))
@@ -125,11 +125,11 @@ class Equilibrium(Shown, Stored):
 
     @cached_property
     def near_pole(self) -> NearPole | None:
-        """U in powers of 1 ∓ k3, where k3 = ±1 and U(k3) has roots of what is 0 there; else None."""
+        """U in powers of 1 ∓ k3, if k3 = ±1 and U(k3) has roots of what is 0 there; else None."""
         return near_pole(self.system.potential, plain(self.point[-1]))
 
     def _placed(self, expression: Expr) -> Expr:
-        """An expression in k, at the point."""
+        """Return an expression in k, at the point."""
         directions = self.system.space.coordinates[3:]
         return expression.xreplace(dict(zip(directions, self.point[3:])))
 
@@ -139,7 +139,7 @@ class Equilibrium(Shown, Stored):
         return self.point[-1]
 
     def at_point(self, expression: Any) -> Any:
-        """An expression or matrix in the coordinates and the jet of U, at the point and on the family.
+        """Return an expression or matrix in the coordinates and the jet of U, at the point of the family.
 
         Parameters
         ----------
@@ -157,9 +157,9 @@ class Equilibrium(Shown, Stored):
         return self.insert(placed) if potential and potential.given and not potential.axial else placed
 
     def insert(self, expression: Any) -> Any:
-        """An expression with the values of a given U and of its derivatives at the point.
+        """Return an expression with the values of a given U and of its derivatives at the point.
 
-        The eliminated names are replaced by their values then.
+        After that the eliminated names are replaced by their values.
 
         Parameters
         ----------
@@ -176,7 +176,7 @@ class Equilibrium(Shown, Stored):
         return expression
 
     def insert_field(self, expression: Any) -> Any:
-        """The jet of a given U replaced by its values at the point.
+        """Return an expression with the jet of a given U replaced by its values at the point.
 
         Parameters
         ----------
@@ -200,7 +200,7 @@ class Equilibrium(Shown, Stored):
         return {}
 
     def existence(self) -> tuple[Expr, ...]:
-        """The domain in the parameters that are left: positive where the family exists."""
+        """Return the domain in the parameters that are left: positive where the family exists."""
         return self._existence
 
     @cached_property
@@ -209,7 +209,7 @@ class Equilibrium(Shown, Stored):
 
     @cached_property
     def field_values(self) -> tuple[Expr, ...]:
-        """A given U, its slope and its curvature at the point; () where U is unspecified."""
+        """A given U, its slope and its curvature at the point; () if U is unspecified."""
         potential = self.system.potential
         if not potential or not potential.given:
             return ()
@@ -221,7 +221,7 @@ class Equilibrium(Shown, Stored):
 
     @cached_property
     def constraints(self) -> tuple[Expr, ...]:
-        """What has to vanish at given values: relations that a given U does not satisfy by itself."""
+        """What has to vanish at given values: the relations that a given U does not satisfy by itself."""
         if not self.system.potential or not self.system.potential.given:
             return ()
         residuals = (residual_of(self.insert(name) - self.insert(value), self.insert)
@@ -229,7 +229,7 @@ class Equilibrium(Shown, Stored):
         return tuple(residual for residual in residuals if residual is not None)
 
     def derived(self, verb: Callable[["Equilibrium"], Derived]) -> Derived:
-        """What a verb derives from this equilibrium, the first time it is asked; then the same again.
+        """Return what a verb derives from this equilibrium; it is derived when it is first asked for.
 
         Parameters
         ----------

@@ -1,7 +1,7 @@
-"""U(k3) near k3 = ±1 in powers of x = 1 ∓ k3, fractional ones too, and what it takes to be smooth there.
+"""Expands U(k3) near k3 = ±1 in powers of x = 1 ∓ k3, fractional ones too, and tells if it is smooth.
 
 With ρ the distance from the pole, x = ρ²/2 + …: a power xᵃ, a not whole, has continuous derivatives on the
-sphere of the orders below 2a. Derived from it:
+sphere of the orders below 2a. Three cases follow:
 
 - a ≤ 1/2: U has no slope at the pole, which is no equilibrium.
 - 1/2 < a < 1: the pole is one, but the field has no linear part there, and U no second variation.
@@ -10,9 +10,9 @@ sphere of the orders below 2a. Derived from it:
 
 On the boundary between them the motion of k3 decides. On the level of the equilibrium I1² ẋ² = g(x), which is
 2 I1 (U(±1) − U) (2x − x²) − (π3 + l)² x². If its first term c xᵖ has c < 0, there are x as small as one likes
-with g(x) < 0, on levels near it too, for U is continuous: what starts below such an x stays below. If c > 0,
-a motion leaves, ẋ > 0 from every small x on. Neither asks for a derivative at the pole. The first term
-decides, for g is a convergent series in t, x = tᵠ.
+with g(x) < 0, on levels near it too, since U is continuous: what starts below such an x stays below. If c >
+0, a motion leaves, ẋ > 0 from every small x on. Neither case asks for a derivative at the pole. The first
+term decides, since g is a convergent series in t with x = tᵠ.
 """
 from collections.abc import Iterable
 from dataclasses import dataclass
@@ -33,16 +33,16 @@ MOST = 60                                              # the largest q
 
 
 class _UnknownError(Exception):
-    """It is no series in a root of x that is found here."""
+    """No series in a root of x is found here."""
 
 
 class _FinerError(Exception):
-    """A higher root of x is needed: its order."""
+    """A higher root of x is needed; the argument is its order."""
 
 
 @dataclass(frozen=True)
 class NearPole:
-    """U(±(1 − tᵠ)) as a power series in t.
+    """The series of U(±(1 − tᵠ)) in powers of t.
 
     Parameters
     ----------
@@ -62,25 +62,26 @@ class NearPole:
     positive: tuple[Expr, ...]
 
     def coefficient(self, n: int) -> Expr:
-        """That of tⁿ."""
+        """Return the coefficient of tⁿ."""
         while len(self._derivatives) <= n:
             self._derivatives.append(self._derivatives[-1].diff(T))
         return lowest_terms(self._derivatives[n].xreplace({T: S.Zero}) / factorial(n))
 
     def derivative(self, n: int) -> Expr:
-        """That of U by k3 at the pole; infinite where there is a lower power that is not whole."""
+        """Return the n-th derivative of U by k3 at the pole; it is infinite after a lower fractional power.
+        """
         if any(m % self.order and self.coefficient(m) != 0 for m in range(1, n * self.order)):
             return S.ComplexInfinity
         return (-self.side) ** n * factorial(n) * self.coefficient(n * self.order)
 
     @cached_property
     def root(self) -> Rational | None:
-        """The least power below 1."""
+        """The least power of x below 1; None if there is none."""
         return next((Rational(n, self.order) for n in range(1, self.order) if self.coefficient(n) != 0), None)
 
     @cached_property
     def smooth(self) -> bool:
-        """Whether it is proved that all powers are whole."""
+        """Whether it is proved that all powers of x are whole."""
         turned = self.expression.xreplace({T: -T})
         return self.order == 2 and is_identically_zero(self.expression - turned) is True
 
@@ -90,9 +91,9 @@ class NearPole:
 
 
 def near_pole(potential: Potential | None, k3: Expr) -> NearPole | None:
-    """U(k3) near k3 = ±1, if it has roots or inverse functions that are not smooth in k3 there; else None.
+    """Return U(k3) near k3 = ±1, if it has roots or inverse functions that are not smooth there; else None.
 
-    None too where it is no such series, with a logarithm of x, say, or infinite.
+    None is returned, too, if it is no such series, with a logarithm of x for example, or infinite.
     """
     if potential is None or not (potential.given and potential.axial) or k3 not in (S.One, S.NegativeOne):
         return None
@@ -101,14 +102,16 @@ def near_pole(potential: Potential | None, k3: Expr) -> NearPole | None:
 
 @lru_cache(maxsize=64)
 def in_powers(U: Expr, side: int) -> NearPole | None:
-    """The same of an expression.
+    """Return the series of an expression U(k3) near k3 = ±1, None if it needs or has none.
 
     Examples
     --------
     >>> from sympy import acos
     >>> series = in_powers((1 - K3) ** Rational(5, 2) - K3, 1)
-    >>> [series.coefficient(n) for n in (0, 2, 5)], series.derivative(1), series.derivative(3)
-    ([-1, 1, 1], -1, zoo)
+    >>> [series.coefficient(n) for n in (0, 2, 5)]
+    [-1, 1, 1]
+    >>> series.derivative(1), series.derivative(3)
+    (-1, zoo)
     >>> series = in_powers(acos(K3) ** 2, 1)
     >>> [series.derivative(n) for n in (0, 1, 2)], series.smooth
     ([0, -2, 2/3], True)
@@ -130,7 +133,10 @@ def in_powers(U: Expr, side: int) -> NearPole | None:
 
 
 def left_positive(near: NearPole | None, arguments: Iterable[Expr]) -> list[Expr]:
-    """Of the arguments of roots at a point those that have to be positive: what is 0 is in the powers."""
+    """Return the arguments of roots at a point that have to be positive.
+
+    An argument that is 0 there is in the powers of x.
+    """
     if near is None:
         return list(arguments)
     return [*(a for a in arguments if is_identically_zero(a) is not True), *near.positive]
@@ -147,9 +153,9 @@ def refuse_rough(label: str, potential: Potential | None, near: NearPole | None,
     potential : Potential or None
     near : NearPole or None
     values : iterable of Expr
-        of U and its derivatives there
+        U and its derivatives there
     positive : iterable of Expr
-        for U to be smooth
+        what has to be positive for U to be smooth
     """
     if near is not None and near.root is not None:
         raise EquilibriumError(f"{label} is out of reach: U goes there with the power {near.root} of "
@@ -178,14 +184,14 @@ def _vanishes(argument: Expr, side: int) -> bool:
 
 
 class _Unrolled:
-    """An expression in t, each root of what vanishes at 0 as a power of t times a root of what does not."""
+    """An expression in t: each root of what vanishes at 0 is a power of t times a root of what does not."""
 
     def __init__(self, side: int, order: int):
         self.side, self.order = side, order
         self.positive: list[Expr] = []
 
     def of(self, node: Expr) -> Expr:
-        """One in k3."""
+        """Rewrite an expression in k3."""
         if not node.has(K3):
             return node
         if node == K3:
@@ -202,7 +208,7 @@ class _Unrolled:
         return inner
 
     def _angle(self, cosine: Expr) -> Expr:
-        """acos: 2 asin √((1 − y)/2) near y = 1, π less that of −y near −1."""
+        """Return acos y as 2 asin √((1 − y)/2) near y = 1, and as π less that of −y near −1."""
         for side in (1, -1):
             if is_identically_zero(cosine.xreplace({T: S.Zero}) - side):
                 half = 2 * asin(self._power((1 - side * cosine) / 2, Rational(1, 2)))
@@ -210,7 +216,7 @@ class _Unrolled:
         return acos(cosine)
 
     def _power(self, base: Expr, exponent: Rational) -> Expr:
-        """tᵐ u to a power, u positive at 0."""
+        """Return a power of tᵐ u, where u is positive at 0."""
         ring = Ring([base, T])
         top, bottom = ring.fraction(base)
         place = ring.generators.index(T)

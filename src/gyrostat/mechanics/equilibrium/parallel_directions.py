@@ -1,4 +1,5 @@
-"""Two directions that are parallel: the scene in one direction, of the motions in which they stay so."""
+"""Two directions that are parallel: makes the scene in one direction, of the motions in which they stay so.
+"""
 from sympy import Expr, ImmutableMatrix, S
 
 from ...algebra.rings.polynomials import lowest_terms
@@ -14,7 +15,7 @@ from .relations import residual_of
 
 @checked
 def parallel_directions(eq: Equilibrium) -> Equilibrium:
-    """The same equilibrium in the scene of one direction, where its two directions are parallel.
+    """Return the same equilibrium in the scene of one direction, if its two directions are parallel.
 
     They are carried along by one rotation: parallel once, they stay so, b = c a with a constant c. These
     motions are those of a body in the one direction a. What is unstable among them is unstable; what is
@@ -28,7 +29,7 @@ def parallel_directions(eq: Equilibrium) -> Equilibrium:
     Returns
     -------
     Equilibrium
-        of U(k) where there is no coupling and k a unit vector, else in the direction of the scene
+        of U(k) if there is no coupling and k is a unit vector, else in the direction of the scene
 
     Raises
     ------
@@ -56,7 +57,7 @@ def parallel_directions(eq: Equilibrium) -> Equilibrium:
 
 @once
 def parallel(eq: Equilibrium) -> Equilibrium | None:
-    """The same, None where there are no two directions that are parallel."""
+    """Return the same equilibrium in one direction; None if there are no two directions that are parallel."""
     potential = eq.system.potential
     if not isinstance(potential, CoupledPotential) or len(eq.point) != 9:
         return None

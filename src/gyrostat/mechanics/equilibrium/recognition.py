@@ -1,6 +1,4 @@
-"""A body of revolution about any axis, recognised.
-
-The axis, and the same scene with that axis for the third.
+"""Recognises a body of revolution about any axis: the axis, and the same scene with that axis for the third.
 """
 import re
 from collections.abc import Iterator, Sequence
@@ -37,7 +35,7 @@ class Recognition:
     ----------
     scene : System
     direction : tuple of Expr
-        along the axis; integers where there are
+        along the axis; in integers if that is possible
     standard : System
         the same body in U(k3), its axis the third
     """
@@ -48,12 +46,12 @@ class Recognition:
 
     @cached_property
     def axis(self) -> Vector:
-        """The unit vector c."""
+        """The unit vector c along the axis."""
         return _unit(self.direction)
 
     @cached_property
     def rotation(self) -> ImmutableMatrix:
-        """R with R c = e3, proper: x' = R x are the components in the standard scene."""
+        """The proper rotation R with R c = e3: x' = R x are the components in the standard scene."""
         return turned_up(self.axis)
 
     @property
@@ -63,38 +61,41 @@ class Recognition:
 
     @property
     def name(self) -> str:
-        """What k3 of the standard scene is in the axes of the user's."""
+        """The name of the k3 of the standard scene in the axes of the user's."""
         return f"k{UNITS.index(self.direction) + 1}" if self.direction in UNITS else "k·c"
 
     @property
     def sentence(self) -> str:
-        """What was recognised."""
+        """The sentence that says what was recognised."""
         if self.direction in UNITS:
             return f"recognised as a body of revolution about axis {UNITS.index(self.direction) + 1}"
         along = ", ".join(map(str, self.direction))
         return f"recognised as a body of revolution about the axis c along ({along})"
 
     def worded(self, reason: str) -> str:
-        """What holds in the standard scene, in the axes of the user's."""
+        """Return a reason of the standard scene in the words of the user's axes."""
         return re.sub(r"\bk3\b", self.name, reason)
 
     def along(self, vector: Sequence[Expr]) -> Expr:
-        """The component along the axis."""
+        """Return the component of a vector along the axis."""
         return lowest(sum((x * y for x, y in zip(self.axis, vector)), S.Zero))
 
 
 @lru_cache(maxsize=64)
 def recognise(scene: System, square_radius: Expr = S.One) -> Recognition | None:
-    """What a scene is, if it is a body of revolution in a field along its axis, on abs(k)² = square_radius;
-    None where that is not proved.
+    """Recognise a body of revolution in a field along its axis, on abs(k)² = square_radius.
+
+    None is returned if that is not proved.
 
     Examples
     --------
     >>> import gyrostat as gs
     >>> field = gs.general_potential(lambda k1, k2, k3: k1 - k2**2 - k3**2)
     >>> found = recognise(gs.assemble(gs.Gyrostat((3, 1, 1), (0, 0, 0)), field))
-    >>> found.sentence, found.standard.potential.expression, found.standard.body.moments
-    ('recognised as a body of revolution about axis 1', k3**2 + k3 - 1, (1, 1, 3))
+    >>> found.sentence
+    'recognised as a body of revolution about axis 1'
+    >>> found.standard.potential.expression, found.standard.body.moments
+    (k3**2 + k3 - 1, (1, 1, 3))
     """
     if scene.kind is Kind.REVOLUTION:
         return Recognition(scene, UNITS[2], scene)
@@ -119,9 +120,9 @@ def recognise(scene: System, square_radius: Expr = S.One) -> Recognition | None:
 
 
 def _directions(body: Gyrostat, potential: Potential) -> Iterator[Vector]:
-    """Along the axes about which it may be of revolution: a principal one.
+    """Yield vectors along the axes about which the body may be one of revolution.
 
-    Of three equal moments, that of l, or of the field.
+    Such an axis is a principal one. If all three moments are equal, it is that of l, or else of the field.
     """
     if isinstance(body.inertia, ImmutableMatrix):
         yield from _of_tensor(body.inertia)
@@ -134,7 +135,7 @@ def _directions(body: Gyrostat, potential: Potential) -> Iterator[Vector]:
 
 
 def _of_tensor(tensor: ImmutableMatrix) -> Iterator[Vector]:
-    """Along c where I = A + (C − A) c cᵀ."""
+    """Yield a vector along c if I = A + (C − A) c cᵀ."""
     yz, zx, xy = tensor[1, 2], tensor[2, 0], tensor[0, 1]
     products = [vanishes(e) for e in (yz, zx, xy)]
     if not any(products):
@@ -152,7 +153,7 @@ def _of_tensor(tensor: ImmutableMatrix) -> Iterator[Vector]:
 
 
 def _moments_about(body: Gyrostat, direction: Vector) -> tuple[Expr, Expr]:
-    """The moments across an axis of revolution and about it, in one spelling each."""
+    """Return the moments across an axis of revolution and about it, in one spelling each."""
     if isinstance(body.inertia, ImmutableMatrix):
         c = ImmutableMatrix(_unit(direction))
         along = lowest(c.dot(body.tensor * c))
@@ -162,7 +163,7 @@ def _moments_about(body: Gyrostat, direction: Vector) -> tuple[Expr, Expr]:
 
 
 def _of_field(potential: Potential) -> Iterator[Vector]:
-    """A vector along the only axis c for which U can be a function of c·k, if there is one.
+    """Yield a vector along the only axis c for which U can be a function of c·k, if there is one.
 
     If U is a function of c·k, the torque k × ∇U is at right angles to c. Here that is asked at a few
     directions k, with some numbers in the place of the parameters.
@@ -180,9 +181,9 @@ def _of_field(potential: Potential) -> Iterator[Vector]:
 
 
 def _direction(vector: Sequence[Expr]) -> Iterator[Vector]:
-    """Along a vector, its first entry positive, integers where there are.
+    """Yield a vector along another, its first entry positive, of integers if that is possible.
 
-    Nothing along 0, or where names decide.
+    Nothing is yielded along 0, or if names decide.
     """
     entries = [lowest(x) for x in vector]
     first = next((x for x in entries if not vanishes(x)), None)
@@ -201,9 +202,10 @@ def _unit(direction: Vector) -> Vector:
 
 
 def turned_up(axis: Vector) -> ImmutableMatrix:
-    """The proper rotation R with R axis = e3.
+    """Return the proper rotation R with R axis = e3.
 
-    The axes in their order where axis is one of them, else by the smallest angle.
+    If the axis is a coordinate axis, R keeps the axes in their cyclic order; else it turns by the smallest
+    angle.
     """
     if axis in UNITS:
         place = UNITS.index(axis)

@@ -1,4 +1,5 @@
-"""The square g(k3) of the motion of k3, I1² k̇3² = g, in powers of the deviation from an equilibrium."""
+"""Expands the square g(k3) of the motion of k3, I1² k̇3² = g, in powers of the deviation from an equilibrium.
+"""
 from sympy import Add, Expr, Integer, Rational, S, Symbol, factorial
 
 from ...algebra.rings.polynomials import Ring, by_degree
@@ -14,10 +15,10 @@ DEVIATION = Symbol("deviation")                        # a symbol that is none o
 
 @checked
 def expansion(eq: Equilibrium, order: int) -> list[Expr]:
-    """Coefficients of x⁰ … x^order in g on the levels of an equilibrium.
+    """Return the coefficients of x⁰ … x^order in g on the levels of an equilibrium.
 
-    k3 = ±(1 − x) at a pole, else k3 + x. U is expanded in its derivatives dU, d2U, … at the equilibrium,
-    and a relation on them is inserted. The first two vanish.
+    At a pole k3 = ±(1 − x), else k3 grows by x. U is expanded in its derivatives dU, d2U, … at the
+    equilibrium, and a relation on them is inserted. The first two coefficients vanish.
 
     Parameters
     ----------
@@ -38,7 +39,8 @@ def expansion(eq: Equilibrium, order: int) -> list[Expr]:
     Examples
     --------
     >>> import gyrostat as gs
-    >>> gs.mechanics.expansion(gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())), 3)[2:]
+    >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())
+    >>> gs.mechanics.expansion(gs.upright(top), 3)[2:]
     [4*I1*dU - l**2 - 2*l*pi3_0 - pi3_0**2, -2*I1*d2U - 2*I1*dU]
     """
     if eq.near_pole is not None and not eq.near_pole.smooth:
@@ -49,25 +51,28 @@ def expansion(eq: Equilibrium, order: int) -> list[Expr]:
 
 
 def inward(eq: Equilibrium) -> Expr:
-    """The change of k3 with x: at a pole away from it."""
+    """Return the change of k3 with x, which at a pole leads away from it."""
     return -eq.at if eq.at**2 == 1 else S.One
 
 
 def field_coefficient(eq: Equilibrium, n: int) -> Expr:
-    """The coefficient of xⁿ in U − U(k3), n > 0; at a pole where U has roots, that of x to the n-th part."""
+    """Return the coefficient of xⁿ in U − U(k3), n > 0.
+
+    At a pole where U has roots, it is the coefficient of x^(n/q), where q is the order of the series.
+    """
     if eq.near_pole is not None:
         return eq.near_pole.coefficient(n)
     return symbol(jet_name(n)) * inward(eq) ** n / factorial(n)
 
 
 def powers_of_distance(eq: Equilibrium, order: int) -> dict[Rational, Expr]:
-    """Coefficients of the powers of x up to an order in g on the levels of an equilibrium.
+    """Return the coefficients of the powers of x up to an order in g on the levels of an equilibrium.
 
     At a pole where U(k3) has roots the powers are fractions (near_pole), and U is its series; else they are
     whole, and U is expanded in its derivatives dU, d2U, ….
     """
     if not 0 <= order <= MOST_TERMS:
-        raise ScopeError(f"order = {brief(order)}: give one from 0 to {MOST_TERMS}")
+        raise ScopeError(f"order = {brief(order)} is out of range: give a number from 0 to {MOST_TERMS}")
     motion, scene, near = reduce(eq.system), eq.system, eq.near_pole
     pi3, root = scene.space.coordinates[2], 1 if near is None else near.order
     field = Add(*(field_coefficient(eq, n) * DEVIATION**n for n in range(1, order * root + 1)))

@@ -1,4 +1,4 @@
-"""A body of revolution in U(k3) in one degree of freedom: the motion of k3 by itself, I1² k̇3² = g(k3)."""
+"""Reduces a body of revolution in U(k3) to one degree of freedom: k3 moves by itself, I1² k̇3² = g(k3)."""
 from dataclasses import dataclass
 from functools import lru_cache
 
@@ -25,7 +25,8 @@ class Reduction(Shown, Stored):
 
     I1² ż² = g(z) = 2 I1 (e − U(z)) (1 − z²) − (v − P z)².
 
-    The levels are symbols: energy of h, p_phi = v of C1, p_psi = P of π3 + l; e = energy − π3²/(2 I3).
+    The levels are symbols: energy is that of h, p_phi = v that of C1, p_psi = P that of π3 + l, and
+    e = energy − π3²/(2 I3).
 
     Parameters
     ----------
@@ -40,7 +41,8 @@ class Reduction(Shown, Stored):
     Examples
     --------
     >>> import gyrostat as gs
-    >>> gs.mechanics.reduce(gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())).rate
+    >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
+    >>> gs.mechanics.reduce(top).rate
     (-k3*p_psi + p_phi)/(I1*(1 - k3**2))
     """
 
@@ -51,7 +53,7 @@ class Reduction(Shown, Stored):
 
     @checked
     def square(self, U: Expr | float | str | None = None) -> Expr:
-        """I1² k̇3² = g, a function of k3 and the levels.
+        """Return g = I1² k̇3², a function of k3 and the levels.
 
         Parameters
         ----------
@@ -67,7 +69,7 @@ class Reduction(Shown, Stored):
         return twice * self.across - self.twist**2
 
     def effective_potential(self) -> Expr:
-        """V(k3) with g = 2 I1 (1 − k3²) (energy − V).
+        """Return V(k3) with g = 2 I1 (1 − k3²) (energy − V).
 
         Its critical points are the regular precessions. With k3 = cos θ it is
         gyrostat.mechanics.effective_potential, which comes from the Lagrangian.
@@ -80,9 +82,10 @@ class Reduction(Shown, Stored):
         Examples
         --------
         >>> import gyrostat as gs
-        >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
+        >>> body = gs.Gyrostat((1, 1, 1), (0, 0, 0))
+        >>> top = gs.assemble(body, gs.uniform_field())
         >>> gs.mechanics.reduce(top).effective_potential()
-        k3*m0 + (-l + p_psi)**2/(2*I3) + (-k3*p_psi + p_phi)**2/(2*I1*(1 - k3**2))
+        k3*m0 + p_psi**2/2 + (-k3*p_psi + p_phi)**2/(2*(1 - k3**2))
         """
         return self.axial + self._field(None) + self.twist * self.rate / 2
 
@@ -92,11 +95,10 @@ class Reduction(Shown, Stored):
         return self.twist / (self.system.body.moments[0] * self.across)
 
     def precession(self) -> Expr:
-        """What vanishes for the regular precessions ω = W k + σ e3, U' − P W + I1 k3 W².
+        """Return what vanishes for the regular precessions ω = W k + σ e3, U' − P W + I1 k3 W².
 
-        W is the symbol omega, U' is dU.
-
-        It is the slope of the effective potential. At σ = 0, P = I3 W k3 + l, it is the relation of E3.
+        W is the symbol omega, U' is dU. It is the slope of the effective potential. At σ = 0, P = I3 W k3 +
+        l, it is the relation of E3.
 
         Returns
         -------
@@ -106,15 +108,16 @@ class Reduction(Shown, Stored):
         Examples
         --------
         >>> import gyrostat as gs
-        >>> gs.mechanics.reduce(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())).precession()
+        >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())
+        >>> gs.mechanics.reduce(top).precession()
         I1*k3*omega**2 + dU - omega*p_psi
         """
         return symbol("dU") + self._at_rate(derivatives(self.twist * self.rate / 2, [K3])[0])
 
     def restoring(self) -> Expr:
-        """I1 (1 − k3²) V'' = −g''/2 on the regular precessions, with d2U for U''.
+        """Return I1 (1 − k3²) V'' = −g''/2 on the regular precessions, with d2U for U''.
 
-        Positive where they are stable.
+        It is positive where they are stable.
 
         Returns
         -------
@@ -124,14 +127,16 @@ class Reduction(Shown, Stored):
         Examples
         --------
         >>> import gyrostat as gs
-        >>> gs.mechanics.reduce(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())).restoring()
-        3*I1**2*k3**2*omega**2 + I1**2*omega**2 - I1*d2U*k3**2 + I1*d2U - 4*I1*k3*omega*p_psi + p_psi**2
+        >>> body = gs.Gyrostat((1, 1, gs.symbol("I3")), (0, 0, gs.symbol("l")))
+        >>> top = gs.assemble(body, gs.axial_potential())
+        >>> gs.mechanics.reduce(top).restoring()
+        -d2U*k3**2 + d2U + 3*k3**2*omega**2 - 4*k3*omega*p_psi + omega**2 + p_psi**2
         """
         return self._at_rate(self.system.body.moments[0] * self.across
                              * (symbol("d2U") + (self.twist * self.rate / 2).diff(K3, 2)))
 
     def _at_rate(self, expression: Expr) -> Expr:
-        """With the level v expressed by the rate omega, in lowest terms."""
+        """Express the level v by the rate omega, and return the expression in lowest terms."""
         level = self.system.body.moments[0] * OMEGA * self.across + V - self.twist
         return lowest_terms(expression.xreplace({V: level}))
 
@@ -145,9 +150,9 @@ class Reduction(Shown, Stored):
 @checked
 @lru_cache(maxsize=64)
 def reduce(scene: System) -> Reduction:
-    """The reduced motion, from the bracket and the integrals.
+    """Return the reduced motion, from the bracket and the integrals.
 
-    I1² {k3, h}² = (k1² + k2²)(π1² + π2²) − (π1 k1 + π2 k2)².
+    It rests on I1² {k3, h}² = (k1² + k2²)(π1² + π2²) − (π1 k1 + π2 k2)².
 
     Parameters
     ----------
@@ -173,7 +178,8 @@ def reduce(scene: System) -> Reduction:
     Examples
     --------
     >>> import gyrostat as gs
-    >>> gs.mechanics.reduce(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())).twist
+    >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())
+    >>> gs.mechanics.reduce(top).twist
     -k3*p_psi + p_phi
     """
     in_one_direction(scene.potential, "reduce")

@@ -1,4 +1,4 @@
-"""Relations between the names of a family: solved for one that they are affine in; what is left of one."""
+"""Solves the relation of a family for a name in which it is affine, and tells what is left of a relation."""
 from collections.abc import Callable, Sequence
 
 from sympy import Expr, S, Symbol
@@ -11,7 +11,10 @@ from ...notation import symbol
 
 def solved_for(relation: Expr, wanted: str | None, parameters: Sequence[Symbol],
                label: str) -> tuple[str | None, Expr | None, Expr]:
-    """Name, value and leading coefficient of a parameter in which the relation is affine."""
+    """Return name, value and leading coefficient of a parameter in which the relation is affine.
+
+    The value is None if there is no such parameter.
+    """
     ordered = sorted(parameters, key=lambda s: (bool(s.is_positive), s.name))
     for name in [wanted] if wanted else ["dU", "l", "k3", *map(str, ordered)]:
         if solved := affine(relation, symbol(name)):
@@ -23,7 +26,8 @@ def solved_for(relation: Expr, wanted: str | None, parameters: Sequence[Symbol],
 
 
 def affine(relation: Expr, x: Symbol) -> tuple[Expr, Expr] | None:
-    """Solution and leading coefficient of a x + b = 0, None if the relation has no such form."""
+    """Return the solution and the leading coefficient of a x + b = 0; None if the relation has no such form.
+    """
     ring = Ring([relation])
     top, _ = ring.fraction(relation)
     if x not in ring.gens or any(x in g.free_symbols for g in ring.generators if g != x):
@@ -37,7 +41,7 @@ def affine(relation: Expr, x: Symbol) -> tuple[Expr, Expr] | None:
 
 
 def residual_of(rate: Expr, insert: Callable[[Expr], Expr]) -> Expr | None:
-    """The rate in lowest terms, values inserted where needed; None where it is proved to vanish."""
+    """Return the rate in lowest terms, with values inserted if needed; None if it is proved to vanish."""
     for expression in (rate, insert(rate)):
         if expression is S.Zero:
             return None

@@ -1,6 +1,4 @@
-"""An equilibrium of a scene that was recognised as a body of revolution, in the standard scene, where its
-axis is the third.
-"""
+"""Turns an equilibrium of a recognised body of revolution into the standard scene, its axis the third."""
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import combinations
@@ -32,24 +30,24 @@ class Seen:
 
     @property
     def sentence(self) -> str:
-        """What was recognised, and whether only at the numbers given."""
+        """The sentence that says what was recognised, and whether only at the numbers given."""
         return f"{self.where}{self.recognition.sentence}"
 
     def worded(self, reason: str) -> str:
-        """What was recognised, and what follows, in the axes of the scene."""
+        """Return what was recognised, and what follows, in the axes of the scene."""
         return f"{self.sentence}: {self.recognition.worded(reason)}"
 
     @property
     def modulo(self) -> tuple[Expr, ...]:
-        """The flow that is divided out, at a tilt."""
+        """The integral whose flow is divided out, at a tilt; none at a pole."""
         return () if self.equilibrium.at**2 == 1 else (self.recognition.modulo,)
 
 
 @once
 def seen(eq: Equilibrium) -> Seen | None:
-    """A family of a scene that is not entered in the standard way, in the standard axes.
+    """Return a family of a scene that is not entered in the standard way, in the standard axes.
 
-    None where it is not recognised.
+    None if the scene is not recognised.
     """
     if _plain(eq.system) or any(jet(name.name) for name, _ in eq.relations):
         return None
@@ -57,15 +55,16 @@ def seen(eq: Equilibrium) -> Seen | None:
 
 
 def _plain(scene: System) -> bool:
-    """Whether there is nothing to recognise: it is entered in the standard way.
+    """Tell whether there is nothing to recognise.
 
-    Or U is constant and π is fixed, whatever the axis.
+    The scene is entered in the standard way, or U is constant and π is fixed, whatever the axis.
     """
     return scene.kind is Kind.REVOLUTION or scene.coupled or len(scene.linear_integrals) == 3
 
 
 def seen_at(eq: Equilibrium, numbers: Point) -> Seen | None:
-    """The same, of a family that is recognised only at the numbers given."""
+    """Return a family in the standard axes if its scene is recognised only at the numbers given, else None.
+    """
     if eq.system.kind is Kind.FREE or _plain(eq.system) or seen(eq):
         return None
     body = eq.system.body
@@ -80,7 +79,7 @@ def seen_at(eq: Equilibrium, numbers: Point) -> Seen | None:
 
 
 def placed(eq: Equilibrium, numbers: Point) -> Equilibrium:
-    """The point at numbers, of the scene at numbers."""
+    """Return the equilibrium at numbers, in the scene at numbers."""
     known = {s: evaluate(eq.insert(s), numbers) for s in names_of_scene(eq.system)}
     relations = tuple((name, evaluate(eq.insert(value), numbers))
                       for name, value in eq.relations if jet(name.name))
@@ -89,11 +88,10 @@ def placed(eq: Equilibrium, numbers: Point) -> Equilibrium:
 
 
 def _turned(eq: Equilibrium, point: Sequence[Expr], where: str = "") -> Seen | None:
-    """An equilibrium at a point of the scene, in the standard one and turned to k2 = 0.
+    """Return an equilibrium at a point of the scene, in the standard scene and turned to k2 = 0.
 
-    None where the scene is not recognised, or the point not proved to be one there.
-
-    As k̇ = 0, ω = omega k with omega = ω·k; its relations and its domain hold as they do in the scene.
+    None if the scene is not recognised, or the point is not proved to be an equilibrium there. Since k̇ = 0,
+    ω = omega k with omega = ω·k; its relations and its domain hold as they do in the scene.
     """
     found: Recognition | None = loaded("mechanics.equilibrium.recognition:recognise")(eq.system)
     if not found:
@@ -119,6 +117,6 @@ def _turned(eq: Equilibrium, point: Sequence[Expr], where: str = "") -> Seen | N
 
 
 def _inclined(across: Expr, eq: Equilibrium) -> bool:
-    """Whether 1 − k3², or its numerator, is positive on the whole family."""
+    """Tell whether 1 − k3², or its numerator, is positive on the whole family."""
     signs = Signs.over([across], eq.domain)
     return signs.of(signs.ring.numerator(across)) == 1

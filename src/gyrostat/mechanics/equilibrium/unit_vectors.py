@@ -1,4 +1,4 @@
-"""Unit vectors in parameters, and any unit vector."""
+"""Unit vectors in parameters: by stereographic projection, or any unit vector, checked at numbers."""
 from collections.abc import Sequence
 
 from sympy import Expr
@@ -11,9 +11,10 @@ STEREOGRAPHIC = "stereographic"                       # the word for it
 
 
 def stereographic() -> tuple[Expr, Expr, Expr]:
-    """A direction k by its stereographic coordinates u1, u2: every one but −e3, each exactly a unit vector.
+    """Return a direction k by its stereographic coordinates u1, u2: every direction but −e3.
 
-    k = (2 u1, 2 u2, 1 − u1² − u2²)/(1 + u1² + u2²), the projection from −e3 onto the plane k3 = 0.
+    It is exactly a unit vector: k = (2 u1, 2 u2, 1 − u1² − u2²)/(1 + u1² + u2²), the projection from −e3 onto
+    the plane k3 = 0.
 
     Returns
     -------
@@ -23,8 +24,8 @@ def stereographic() -> tuple[Expr, Expr, Expr]:
     Examples
     --------
     >>> import gyrostat as gs
-    >>> k = gs.stereographic()
-    >>> [x.subs({gs.symbol("u1"): 1, gs.symbol("u2"): 2}) for x in k]
+    >>> at = {gs.symbol("u1"): 1, gs.symbol("u2"): 2}
+    >>> [x.subs(at) for x in gs.stereographic()]
     [1/3, 2/3, -2/3]
     """
     u1, u2 = symbol("u1"), symbol("u2")
@@ -33,10 +34,13 @@ def stereographic() -> tuple[Expr, Expr, Expr]:
 
 
 def in_any_direction(eq: Equilibrium) -> bool:
-    """Whether k1, k2, k3 are names of a family: any unit vector, and that it is one is checked at numbers."""
+    """Tell whether k1, k2, k3 are names of a family: any unit vector.
+
+    That it is a unit vector is checked at numbers.
+    """
     return eq.system.potential is not None and eq.point[3:] == eq.system.space.coordinates[3:]
 
 
 def direction_in(texts: Sequence[str]) -> tuple[Expr, ...]:
-    """The direction that three expressions name, or that word."""
+    """Return the direction that three expressions name, or the word "stereographic"."""
     return stereographic() if list(texts) == [STEREOGRAPHIC] else tuple(map(parse, texts))

@@ -26,7 +26,10 @@ RATE = symbol("omega0")
 
 @dataclass(frozen=True)
 class CircularOrbit(CoupledPotential):
-    """The field of a satellite in a circular orbit; alone: U is that of the gravity gradient of I alone."""
+    """The field of a satellite in a circular orbit.
+
+    `alone` says that U is that of the gravity gradient of the body alone.
+    """
 
     alone: bool = True
     kind: ClassVar[Kind] = Kind.ORBIT
@@ -35,7 +38,7 @@ class CircularOrbit(CoupledPotential):
 @checked
 def circular_orbit(rate: Any = None, *, mu: Any = None, radius: Any = None,
                    potential: Any = 0, rotors: Sequence[Rotor] = ()) -> CoupledPotential:
-    """The field of a satellite in a circular orbit, in the frame that turns with the orbit.
+    """Return the field of a satellite in a circular orbit, in the frame that turns with the orbit.
 
     n is the normal of the orbit, r the local vertical, outwards, t = n × r along the velocity, all in body
     axes. h = T − ω0 n·(π + l) + (3/2) ω0² r·Ir is the Jacobi integral; π is the angular momentum of the
@@ -45,7 +48,7 @@ def circular_orbit(rate: Any = None, *, mu: Any = None, radius: Any = None,
     Parameters
     ----------
     rate : number, text or Expr, or None
-        ω0 > 0, such as "0.0011 rad/s"; None: the symbol omega0 [1/T]
+        ω0 > 0, such as "0.0011 rad/s"; default: the symbol omega0 [1/T]
     mu, radius : number, text or Expr
         in place of the rate: the gravitational parameter [L³/T²] and the radius of the orbit [L],
         ω0² = mu/radius³
@@ -77,7 +80,8 @@ def circular_orbit(rate: Any = None, *, mu: Any = None, radius: Any = None,
     Examples
     --------
     >>> import gyrostat as gs
-    >>> scene = gs.assemble(gs.Gyrostat(gyrostatic_momentum=(0, 0, 0)), gs.circular_orbit())
+    >>> body = gs.Gyrostat(gyrostatic_momentum=(0, 0, 0))
+    >>> scene = gs.assemble(body, gs.circular_orbit())
     >>> gs.earth_pointing(scene, roll=1, pitch=2, yaw=3).point
     (0, I2*omega0, 0, 0, 1, 0, 0, 0, 1)
     """
@@ -97,7 +101,7 @@ def circular_orbit(rate: Any = None, *, mu: Any = None, radius: Any = None,
 
 
 def _beside(potential: Any) -> Expr:
-    """Another energy in the directions of the orbit."""
+    """Return another energy in the directions of the orbit."""
     if not callable(potential):
         potential = exact_expression(potential, "U")
     fixed = sorted(str(k) for k in getattr(potential, "free_symbols", set()) & set(DIRECTIONS))
@@ -110,7 +114,7 @@ def _beside(potential: Any) -> Expr:
 
 
 def _rate(rate: Any, mu: Any, radius: Any) -> Expr:
-    """ω0, positive."""
+    """Return ω0, proved positive if it is a number."""
     given = {name: exact_expression(x, f"orbit {name}")
              for name, x in (("rate", rate), ("mu", mu), ("radius", radius)) if x is not None}
     for name, value in given.items():
@@ -134,13 +138,13 @@ def _rate(rate: Any, mu: Any, radius: Any) -> Expr:
 
 
 def by_gradient_alone(scene: System) -> bool:
-    """Whether it is a satellite in orbit on which nothing but the gravity gradient acts, no rotor free."""
+    """Tell whether nothing but the gravity gradient acts on a satellite in orbit, with no free rotor."""
     return isinstance(scene.potential, CircularOrbit) and scene.potential.alone
 
 
 @checked
 def earth_pointing(scene: System, roll: int = 1, pitch: int = 2, yaw: int = 3) -> Equilibrium:
-    """A satellite at rest in the frame of its circular orbit, three body axes along those of the orbit.
+    """Return a satellite at rest in the frame of its circular orbit, its body axes along those of the orbit.
 
     Parameters
     ----------
@@ -170,12 +174,14 @@ def earth_pointing(scene: System, roll: int = 1, pitch: int = 2, yaw: int = 3) -
     --------
     >>> import gyrostat as gs
     >>> body = gs.Gyrostat(gyrostatic_momentum=(0, gs.symbol("l"), 0))
-    >>> pointing = gs.earth_pointing(gs.assemble(body, gs.circular_orbit()), roll=1, pitch=2, yaw=3)
+    >>> scene = gs.assemble(body, gs.circular_orbit())
+    >>> pointing = gs.earth_pointing(scene, roll=1, pitch=2, yaw=3)
     >>> print(gs.analyze(pointing).sufficient)
     l + 4 ω₀ (I₂ − I₃) > 0 and I₁ > I₃ and l > ω₀ (I₁ − I₂)
     """
     if scene.kind is not Kind.ORBIT:
-        raise ScopeError("earth_pointing is of a satellite in orbit: assemble(body, circular_orbit())")
+        raise ScopeError("earth_pointing is for a satellite in orbit, and this scene is in none: use "
+                         "assemble(body, circular_orbit())")
     axes = axes_of(roll, pitch, yaw)
     if by_gradient_alone(scene):
         _check_rotor(scene, *map(ImmutableMatrix, axes))
@@ -183,7 +189,7 @@ def earth_pointing(scene: System, roll: int = 1, pitch: int = 2, yaw: int = 3) -
 
 
 def _check_rotor(scene: System, t: ImmutableMatrix, n: ImmutableMatrix, r: ImmutableMatrix) -> None:
-    """What turns the body is said in the axes of the orbit, with what would hold it."""
+    """Refuse a body that does not rest so: what turns it is said in the axes of the orbit, with a remedy."""
     I, rate, l = scene.body.tensor, orbital_rate(scene), ImmutableMatrix(scene.body.gyrostatic_momentum)
     torques = {"t·Ir": t.dot(I * r), "l·t + ω0 t·In": t.dot(l) + rate * t.dot(I * n),
                "l·r + 4 ω0 r·In": r.dot(l) + 4 * rate * r.dot(I * n)}
@@ -197,27 +203,27 @@ def _check_rotor(scene: System, t: ImmutableMatrix, n: ImmutableMatrix, r: Immut
 
 
 def axes_of(roll: int, pitch: int, yaw: int) -> list[list[int]]:
-    """t, n and r in body axes, of the body axes along them: t = n × r, whatever way roll points."""
+    """Return t, n and r in body axes for the body axes along them: t = n × r, whatever way roll points."""
     given = roll, pitch, yaw
     if not all(isinstance(axis, Integral) for axis in given) or sorted(map(abs, given)) != [1, 2, 3]:
         raise EquilibriumError(f"roll, pitch, yaw = {brief(given)}: give the body axes 1, 2, 3 in some "
-                               " order, negative for one that points the other way")
+                               "order, negative for one that points the other way")
     n, r = ([abs(axis) // axis if i == abs(axis) else 0 for i in (1, 2, 3)] for axis in (pitch, yaw))
     return [[int(x) for x in along_velocity(n, r)], n, r]
 
 
 def resting_at(scene: System, n: Any, r: Any) -> tuple[Expr, ...]:
-    """The point of a satellite at rest in the frame of its orbit, at n and r: π = ω0 In."""
+    """Return the point of a satellite at rest in the frame of its orbit, at n and r: π = ω0 In."""
     normal = ImmutableMatrix(n)
     return (*(orbital_rate(scene) * scene.body.tensor * normal), *normal, *ImmutableMatrix(r))
 
 
 def orbital_rate(scene: System) -> Expr:
-    """ω0 of a scene."""
+    """Return the ω0 of a scene."""
     assert isinstance(scene.potential, CoupledPotential)
     return -scene.potential.drift[0].diff(symbol(f"{NORMAL}1"))
 
 
 def along_velocity(n: Any, r: Any) -> ImmutableMatrix:
-    """t = n × r."""
+    """Return t = n × r."""
     return ImmutableMatrix(hat(n) * ImmutableMatrix(r))

@@ -1,4 +1,4 @@
-"""What is known of a named family of equilibria."""
+"""The record of what is known of a named family of equilibria."""
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
@@ -23,14 +23,14 @@ class Family:
     name : str
         the word of the field
     title : str
-        how it moves; "" where the label says so
+        how it moves; "" if the label says so
     make : callable
         of a scene, and of what the family is made with
     made_with : str
         the argument that its maker takes besides: "spin", "eliminate", "direction", "pointing", or "" for
         none
     pole : int
-        1 where k points upwards, −1 downwards, 0 at a tilt, and of a free body
+        1 if k points upwards, −1 if downwards, 0 at a tilt, and of a free body
     kinds : tuple of Kind
         of the scenes in which it may be asked for
     asked_for : str
@@ -50,11 +50,11 @@ class Family:
 
     @property
     def tilted(self) -> bool:
-        """Whether it lies at a tilt, with a relation that a name may be eliminated from."""
+        """Whether it lies at a tilt, with a relation from which a name may be eliminated."""
         return self.made_with == "eliminate"
 
     def of(self, scene: "System", spin: str = "pi3_0", eliminate: str | None = None,
            direction: Sequence[Any] | None = None, pointing: Sequence[int] | None = None) -> "Equilibrium":
-        """The equilibrium of a scene, made with what its maker takes."""
+        """Return the equilibrium of a scene, made with what its maker takes."""
         given = {"spin": spin, "eliminate": eliminate, "direction": direction, "pointing": pointing}
         return self.make(scene, given[self.made_with]) if self.made_with else self.make(scene)

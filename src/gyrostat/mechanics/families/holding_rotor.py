@@ -15,10 +15,10 @@ from .circular_orbit import axes_of, by_gradient_alone, orbital_rate
 @checked
 def earth_pointing_gyrostat(body: Gyrostat, orbit: CoupledPotential, roll: int = 1, pitch: int = 2,
                             yaw: int = 3) -> Gyrostat:
-    """The body with the rotor that holds it at rest in the frame of its circular orbit.
+    """Return the body with the rotor that holds it at rest in the frame of its circular orbit.
 
-    l·t = −ω0 t·In and l·r = −4 ω0 r·In; l·n is free, that of the body is kept. It needs t·Ir = 0: no rotor
-    holds the torque of the gravity gradient about n, 3 ω0² t·Ir.
+    That rotor has l·t = −ω0 t·In and l·r = −4 ω0 r·In; l·n is free, and that of the body is kept. It needs
+    t·Ir = 0: no rotor holds the torque of the gravity gradient about n, 3 ω0² t·Ir.
 
     Parameters
     ----------
@@ -51,7 +51,8 @@ def earth_pointing_gyrostat(body: Gyrostat, orbit: CoupledPotential, roll: int =
     >>> held = gs.earth_pointing_gyrostat(gs.Gyrostat(tensor, (0, 0, 0)), orbit)
     >>> held.gyrostatic_momentum
     (-1/10, 0, -1/5)
-    >>> gs.analyze(gs.earth_pointing(gs.assemble(held, orbit))).verdict({}).verdict.name
+    >>> pointing = gs.earth_pointing(gs.assemble(held, orbit))
+    >>> gs.analyze(pointing).verdict({}).verdict.name
     'STABLE'
     """
     scene = assemble(body, orbit)

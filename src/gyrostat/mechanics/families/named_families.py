@@ -1,8 +1,9 @@
-"""The named families: upright E1, hanging E2, inclined E3 and its limit at rest, principal rotations of a
-free body, permanent rotations; in orbit Earth-pointing, and precessions of a symmetric body.
+"""The list of the named families of equilibria, with the words by which they are asked for.
 
-FAMILIES is the one list of them: a family that is added to it is known to the command line, to documents, to
-pictures and to published files. They are words: what makes an equilibrium of them is loaded when one is made.
+They are upright E1, hanging E2, inclined E3 and its limit at rest, principal rotations of a free body,
+permanent rotations; in orbit Earth-pointing, and precessions of a symmetric body. FAMILIES is the one list of
+them: a family that is added to it is known to the command line, to documents, to pictures and to published
+files. What makes an equilibrium of a family is loaded when one is made.
 """
 from collections import Counter
 from collections.abc import Collection, Sequence
@@ -18,13 +19,13 @@ if TYPE_CHECKING:
 
 
 def _made(module: str, maker: str, *given: Any, **named: Any) -> "Equilibrium":
-    """An equilibrium by the maker of that name, in its module."""
+    """Return an equilibrium by the maker of that name, in its module."""
     made: Equilibrium = getattr(import_module(f".{module}", __package__), maker)(*given, **named)
     return made
 
 
 def _pointing(scene: Any, axes: Sequence[int] | None) -> "Equilibrium":
-    """Earth-pointing, its axes of roll, pitch and yaw in a sequence; None: 1, 2, 3."""
+    """Return Earth-pointing for the axes of roll, pitch and yaw in a sequence; default: 1, 2, 3."""
     return _made("circular_orbit", "earth_pointing", scene, *(axes or ()))
 
 
@@ -59,28 +60,28 @@ FAMILIES = {family.label: family for family in (E1, E2, E3, E3_AT_REST, *PRINCIP
 
 
 def known_families() -> list[Family]:
-    """The families that are asked for by their label, of a body in a field, free or in orbit."""
+    """Return the families that are asked for by their label, of a body in a field, free or in orbit."""
     return [family for family in FAMILIES.values() if family.asked_for]
 
 
 def known_of(kind: Kind) -> list[Family]:
-    """The families that are asked for by their label in scenes of a kind."""
+    """Return the families that are asked for by their label in scenes of a kind."""
     return [family for family in known_families() if kind in family.kinds]
 
 
 def named(families: Collection[Family]) -> dict[str, Family]:
-    """Families by what they are asked for, and by the word of the field where it is that of one of them."""
+    """Return families by what they are asked for, and by the word of the field if it names only one."""
     words = Counter(family.name for family in families)
     return {**{family.asked_for: family for family in families},
             **{family.name: family for family in families if words[family.name] == 1}}
 
 
 def called(text: str, families: Collection[Family]) -> Family | None:
-    """The family that a text names, in large or small letters; None if it names none."""
+    """Return the family that a text names, in large or small letters; None if it names none."""
     return {name.lower(): family for name, family in named(families).items()}.get(text.lower())
 
 
 def in_words(families: Collection[Family]) -> str:
-    """The names of families as a list in words: E1 or upright, E2 or hanging."""
+    """Return the names of families as a list in words: E1 or upright, E2 or hanging."""
     names = named(families)
     return ", ".join(" or ".join(name for name in names if names[name] is family) for family in families)

@@ -21,12 +21,13 @@ KINDS = ("cylindrical", "hyperbolic", "conical")
 
 @checked
 def orbital_precession(scene: System, kind: str) -> Equilibrium:
-    """A symmetric gyrostat in orbit whose axis is at rest in the orbital frame.
+    """Return a symmetric gyrostat in orbit whose axis is at rest in the orbital frame.
 
-    Cylindrical: the axis along the normal n of the orbit. Hyperbolic: in the plane of n and the velocity t,
-    l = (I1 − I3) ω0 n3. Conical: in the plane of n and the vertical r, l = 4 (I1 − I3) ω0 n3; n3 is the
-    cosine of the angle between the axis and n. Some authors exchange the last two names. A body that spins
-    against the frame at the rate s is the same with l + I3 s in place of l, but for damping.
+    If it is cylindrical, the axis is along the normal n of the orbit; if hyperbolic, in the plane of n and
+    the velocity t, with l = (I1 − I3) ω0 n3; if conical, in the plane of n and the vertical r, with l = 4 (I1
+    − I3) ω0 n3; n3 is the cosine of the angle between the axis and n. Some authors exchange the last two
+    names. A body that spins against the frame at the rate s is the same with l + I3 s in place of l, but for
+    damping.
 
     Parameters
     ----------
@@ -38,7 +39,7 @@ def orbital_precession(scene: System, kind: str) -> Equilibrium:
     Returns
     -------
     Equilibrium
-        modulo the turn about the axis; a family in n3 where the rotor is a name, l
+        modulo the turn about the axis; a family in n3 if the rotor is a name, l
 
     Raises
     ------
@@ -63,10 +64,11 @@ def orbital_precession(scene: System, kind: str) -> Equilibrium:
     """
     I1, _, I3 = scene.body.moments
     if scene.kind is not Kind.ORBIT or not scene.body.is_of_revolution():
-        raise ScopeError("orbital_precession is of a body of revolution in orbit, moments I1, I1, "
-                         "I3 and rotor 0, 0, l: assemble(symmetric_gyrostat(), circular_orbit())")
+        raise ScopeError("orbital_precession is for a body of revolution in orbit, moments I1, I1, I3 and "
+                         "rotor 0, 0, l, and this scene is none: use assemble(symmetric_gyrostat(), "
+                         "circular_orbit())")
     if kind not in KINDS:
-        raise EquilibriumError(f"kind = {kind!r}: give {', '.join(KINDS)}")
+        raise EquilibriumError(f"kind = {kind!r} is no precession: give one of {', '.join(KINDS)}")
     if kind == "cylindrical":
         return Equilibrium(kind, scene, resting_at(scene, (0, 0, 1), (1, 0, 0)))
     rotor = scene.body.gyrostatic_momentum[2]
@@ -79,27 +81,29 @@ def orbital_precession(scene: System, kind: str) -> Equilibrium:
 
 
 def _height(kind: str, rotor: Expr, slope: Expr) -> tuple[Expr, tuple[tuple[Symbol, Expr], ...]]:
-    """n3, and the relation that holds on the family: the rotor is slope · n3."""
+    """Return n3, and the relation that holds on the family: the rotor is slope · n3."""
     if isinstance(rotor, Symbol):
         return HEIGHT, ((rotor, slope * HEIGHT),)
     if rotor == 0:
         return S.Zero, ()
     if slope == 0:
         raise EquilibriumError(f"there is no {kind} precession of a sphere with the rotor {rotor}: its axis "
-                               "rests along the normal only")
+                               "rests along the normal only; use cylindrical")
     height = rotor / slope
     if not height.free_symbols and sign_of_constant(1 - height**2) != 1:
         raise EquilibriumError(f"a {kind} precession needs n3 = l/({slope}) between −1 and 1, here it is "
-                               f"{shown(height)}: the rotor is too strong, the axis goes along the normal")
+                               f"{shown(height)}: the rotor is too strong, the axis goes along the normal; "
+                               "use cylindrical, or a weaker rotor")
     return height, ()
 
 
 def moving_axis(eq: Equilibrium, at: Callable[[Expr], Expr]) -> Equilibrium | None:
-    """Where the axis of a symmetric body is in the orbital frame, as a rotation of a body in one direction.
+    """Return where the axis of a symmetric body is in the orbital frame, as an equilibrium in one direction.
 
     The axis z moves as k does of a spherical body of the moment A across the axis, with the rotor −A ω0 e_n,
-    in U = (3/2) ω0² (C − A) z_r², where k·M = −P, P the momentum along the axis. In the axes of the frame,
-    (t, n, r); spatial components of M have the bracket of the other sign, hence M → −M.
+    in U = (3/2) ω0² (C − A) z_r², on the level k·M = −P, where P is the momentum along the axis. The
+    components are those in the axes (t, n, r) of the frame; spatial components of M have the bracket of the
+    other sign, hence M → −M.
 
     Parameters
     ----------

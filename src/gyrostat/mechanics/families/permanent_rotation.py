@@ -1,4 +1,4 @@
-"""The family of all permanent rotations of a body in a field, ∇U eliminated."""
+"""The family of all permanent rotations of a body in a field, from which ∇U is eliminated."""
 from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
@@ -23,20 +23,20 @@ SLOPES = ("dU_1", "dU_2", "dU_3")
 
 @checked
 def permanent_rotation(scene: System, direction: Sequence[Any] | None = None) -> Equilibrium:
-    """Every permanent rotation of a body in U(k1, k2, k3): ω = omega k, k fixed in the body and in space.
+    """Return every permanent rotation of a body in U(k1, k2, k3): ω = omega k, k fixed in body and space.
 
-    The body turns so iff ∇U(k) = omega² Ik + omega l + sigma k. There omega and sigma stay, ∇U goes: where U
-    is unspecified dU_1, dU_2, dU_3; of a given U a parameter for each equation that is affine in one, as c1,
-    c2, c3 of U = c1 k1 + c2 k2 + c3 k3. An equation without such a parameter is checked at every point asked
-    for.
+    The body turns so if and only if ∇U(k) = omega² Ik + omega l + sigma k. There omega and sigma stay, ∇U
+    goes: if U is unspecified, these are dU_1, dU_2, dU_3; for a given U they are a parameter for each
+    equation that is affine in one, as c1, c2, c3 of U = c1 k1 + c2 k2 + c3 k3. An equation without such a
+    parameter is checked at every point asked for.
 
     Parameters
     ----------
     scene : System
         in U(k1, k2, k3)
     direction : sequence, shape (3,), or None
-        k in numbers or parameters, a unit vector identically: (sin(a), 0, cos(a)), or stereographic(); None:
-        any, k1, k2, k3 are names of the family, and at numbers abs(k) = 1 is checked
+        k in numbers or parameters, a unit vector identically: (sin(a), 0, cos(a)), or stereographic();
+        default: any, k1, k2, k3 are names of the family, and at numbers abs(k) = 1 is checked
 
     Returns
     -------
@@ -57,8 +57,10 @@ def permanent_rotation(scene: System, direction: Sequence[Any] | None = None) ->
     Examples
     --------
     >>> import gyrostat as gs
-    >>> scene = gs.assemble(gs.Gyrostat(gyrostatic_momentum=(0, 0, 0)), gs.general_potential())
-    >>> for name, value in gs.permanent_rotation(scene, ("1/3", "2/3", "2/3")).relations:
+    >>> body = gs.Gyrostat(gyrostatic_momentum=(0, 0, 0))
+    >>> scene = gs.assemble(body, gs.general_potential())
+    >>> rotation = gs.permanent_rotation(scene, ("1/3", "2/3", "2/3"))
+    >>> for name, value in rotation.relations:
     ...     print(name, "=", value)
     dU_1 = I1*omega**2/3 + sigma/3
     dU_2 = 2*I2*omega**2/3 + 2*sigma/3
@@ -72,7 +74,7 @@ def permanent_rotation(scene: System, direction: Sequence[Any] | None = None) ->
     if U is None or U.axial:
         given = "none" if U is None else f"U = {U.expression}"
         instead = "principal_rotation" if U is None else "U(k1, k2, k3), general_potential, or inclined"
-        raise ScopeError("permanent_rotation is of a body in a field U(k1, k2, k3), this scene has "
+        raise ScopeError("permanent_rotation is for a body in a field U(k1, k2, k3), this scene has "
                          f"{given}: use {instead}")
     if scene.integrals and direction is None:
         raise ScopeError(f"the scene has the integral {scene.integrals[0]}, and its rotations "
@@ -93,7 +95,7 @@ def permanent_rotation(scene: System, direction: Sequence[Any] | None = None) ->
 
 
 def _given(direction: Sequence[Any]) -> tuple[Expr, ...]:
-    """A direction in numbers or parameters."""
+    """Return a direction in numbers or parameters."""
     if len(direction) != 3:
         raise EquilibriumError(f"direction has {len(direction)} entries: give the three components of k")
     k = tuple(exact_expression(x, "direction") for x in direction)
@@ -102,7 +104,7 @@ def _given(direction: Sequence[Any]) -> tuple[Expr, ...]:
 
 
 def _names_apart(scene: System, k: Sequence[Expr]) -> None:
-    """The names of the family are those of nothing else."""
+    """Refuse a direction with a name that the scene has, too."""
     own, inside = names_of_scene(scene), set[Symbol]().union(*(x.free_symbols for x in k))
     if clash := sorted(map(str, own & inside)):
         raise EquilibriumError(f"{', '.join(clash)} is a name of the scene and one of the direction: write "
@@ -111,7 +113,7 @@ def _names_apart(scene: System, k: Sequence[Expr]) -> None:
 
 def _solved(U: Potential, scene: System, k: Sequence[Expr],
             slopes: Sequence[Relation]) -> tuple[list[Relation], list[Expr]]:
-    """Each equation as a parameter of U by the others, where there is one; what is positive for that."""
+    """Solve each equation for a parameter of U, if there is one; return what is positive for that, too."""
     own = [s for s in U.parameters if s not in scene.body.symbols]
     found, domain = list[Relation](), list[Expr]()
     for name, slope in slopes:

@@ -10,7 +10,7 @@ from .named_families import PRINCIPAL
 
 @checked
 def principal_rotation(scene: System, axis: int) -> Equilibrium:
-    """Rotation of a free body about a principal axis that also carries l, where M ≠ 0.
+    """Return the rotation of a free body about a principal axis that also carries l, with M ≠ 0.
 
     Parameters
     ----------
@@ -37,7 +37,8 @@ def principal_rotation(scene: System, axis: int) -> Equilibrium:
     Examples
     --------
     >>> import gyrostat as gs
-    >>> gs.principal_rotation(gs.assemble(gs.Gyrostat(gyrostatic_momentum=(0, 0, 0))), 2).point
+    >>> body = gs.Gyrostat(gyrostatic_momentum=(0, 0, 0))
+    >>> gs.principal_rotation(gs.assemble(body), 2).point
     (0, I2*omega2_0, 0)
     """
     if scene.potential is not None:

@@ -1,4 +1,4 @@
-"""A satellite let go in the frame of its orbit, turned from where it points at the Earth."""
+"""Releases a satellite in the frame of its orbit, turned from where it points at the Earth."""
 from collections.abc import Sequence
 from typing import Any
 
@@ -15,7 +15,7 @@ from .circular_orbit import axes_of, resting_at
 
 @checked
 def release(scene: System, angles: Sequence[Any], pointing: Sequence[int] = (1, 2, 3)) -> tuple[Expr, ...]:
-    """The state of a satellite that is turned by some angles and at rest in the frame of its orbit.
+    """Return the state of a satellite that is turned by some angles and at rest in the frame of its orbit.
 
     Parameters
     ----------
@@ -25,7 +25,7 @@ def release(scene: System, angles: Sequence[Any], pointing: Sequence[int] = (1, 
         roll, pitch and yaw [rad], or "5 deg": from the axes t, n, r of the orbit the body is turned by yaw
         about r, then by pitch about its axis of pitch, then by roll about its axis of roll
     pointing : sequence of three int
-        the body axes along t, n and r where the angles are 0, as for earth_pointing
+        the body axes along t, n and r if the angles are 0, as for earth_pointing
 
     Returns
     -------
@@ -48,12 +48,14 @@ def release(scene: System, angles: Sequence[Any], pointing: Sequence[int] = (1, 
     Examples
     --------
     >>> import gyrostat as gs
-    >>> scene = gs.assemble(gs.Gyrostat((60, 70, 35), (0, 0, 0)), gs.circular_orbit(1))
+    >>> body = gs.Gyrostat((60, 70, 35), (0, 0, 0))
+    >>> scene = gs.assemble(body, gs.circular_orbit(1))
     >>> gs.release(scene, ("90 deg", 0, 0))
     (0, 0, -35, 0, 0, -1, 0, 1, 0)
     """
     if scene.kind is not Kind.ORBIT:
-        raise ScopeError("release is of a satellite in orbit: assemble(body, circular_orbit())")
+        raise ScopeError("release is for a satellite in orbit, and this scene is in none: use "
+                         "assemble(body, circular_orbit())")
     if len(angles) != 3:
         raise ValuesError(f"{len(angles)} angles are given: give those of roll, pitch and yaw")
     names = "angle of roll", "angle of pitch", "angle of yaw"

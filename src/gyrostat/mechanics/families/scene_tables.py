@@ -1,4 +1,4 @@
-"""Scenes as tables of texts, as a [scene.NAME] of a TOML file: a body, a field, an equilibrium, numbers."""
+"""Reads scenes from tables of texts, as a [scene.NAME] of a TOML file: body, field, equilibrium, numbers."""
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from difflib import get_close_matches
@@ -58,7 +58,7 @@ class SceneTable:
                                  "includes that of the rotors, lumped = false where it does not")
 
     def entry(self, name: str, value: Any) -> Any:
-        """What is kept of an entry of the file, its numbers as texts."""
+        """Return what is kept of an entry of the file, its numbers as texts."""
         if name not in KEYS:
             near = get_close_matches(str(name), sorted(KEYS), 1)
             meant = f"did you mean {near[0]}? " if near else ""
@@ -80,7 +80,7 @@ class SceneTable:
 
     @cached_property
     def body(self) -> Gyrostat:
-        """The gyrostat; without entries a rigid body with three moments."""
+        """The gyrostat; without entries it is a rigid body with three moments."""
         inertia: list[Any] = self.table.get("inertia", ["I1", "I2", "I3"])
         momentum: list[str] = self.table.get("gyrostatic_momentum", ["0", "0", "0"])
         rotors = self.table.get("rotors", [])
@@ -96,14 +96,15 @@ class SceneTable:
 
     @cached_property
     def rotors(self) -> "tuple[Rotor, ...]":
-        """Those that the table has."""
+        """The rotors that the table has."""
         rotors = self.table.get("rotors", [])
         return tuple(loaded("mechanics.scenes.rotors:Rotor")(**rotor) for rotor in rotors)
 
     @cached_property
     def potential(self) -> Potential | CoupledPotential | None:
-        """none, U(k3), U(k1, k2, k3), or an expression in k3, or in k1, k2, k3; in orbit that of the gravity
-        gradient, with an expression in n1, …, r3 beside it.
+        """The potential: none, U(k3), U(k1, k2, k3), or an expression in k3, or in k1, k2, k3.
+
+        In orbit it is that of the gravity gradient, with an expression in n1, …, r3 beside it.
         """
         text = self.table.get("potential", NONE)
         bare = "".join(text.split())
@@ -138,7 +139,7 @@ class SceneTable:
 
 
 def scene_tables(data: Mapping[str, Any], path: Path | Traversable) -> dict[str, dict[str, Any]]:
-    """The [scene.NAME] tables of a file."""
+    """Return the [scene.NAME] tables of a file."""
     tables = data.get("scene", {})
     if not isinstance(tables, dict) or not all(isinstance(table, dict) for table in tables.values()):
         raise PublishedError(f"{path}: scene is not made of [scene.NAME] tables: write [scene.top] and below "
@@ -147,7 +148,7 @@ def scene_tables(data: Mapping[str, Any], path: Path | Traversable) -> dict[str,
 
 
 def _parameters(value: Any) -> list[str]:
-    """Names in a list."""
+    """Return the names in a list."""
     if not isinstance(value, list) or not all(isinstance(text, str) for text in value):
         raise PublishedError(f"parameters = {brief(value)}: write a list of texts, in quotation marks")
     for text in value:
@@ -157,7 +158,7 @@ def _parameters(value: Any) -> list[str]:
 
 
 def _texts(name: str, value: Any) -> list[str]:
-    """A list of numbers or texts."""
+    """Return a list of numbers or texts as texts."""
     if isinstance(value, list) and None not in (texts := [_text(x) for x in value]):
         return [text for text in texts if text is not None]
     raise PublishedError(f'{name} = {brief(value)}: write a list of numbers, or of texts in quotation '
@@ -165,7 +166,7 @@ def _texts(name: str, value: Any) -> list[str]:
 
 
 def _rotors(value: Any) -> list[dict[str, Any]]:
-    """Of each rotor its texts by their names."""
+    """Return for each rotor its texts by their names."""
     if not isinstance(value, list) or not value or not all(isinstance(rotor, dict) for rotor in value):
         raise PublishedError(f"rotors = {brief(value)}: write a list of tables, rotors = [{{ "
                              'axis = [0, 1, 0], axial = "0.05 kg m^2", rate = "3000 rpm" }]')
@@ -180,7 +181,7 @@ def _rotors(value: Any) -> list[dict[str, Any]]:
 
 
 def _orbit(value: Any) -> dict[str, str]:
-    """The rate, or mu and radius, of a table or of a text of an option: 0.0011 rad/s, mu=…, radius=…."""
+    """Return the rate, or mu and radius, of a table or of an option's text: 0.0011 rad/s, mu=…, radius=…."""
     if isinstance(value, str):
         parts = [part.partition("=") for part in value.split(",")]
         once = len(parts) == len({name.strip() for name, *_ in parts})
@@ -197,7 +198,7 @@ def _orbit(value: Any) -> dict[str, str]:
 
 
 def _pointing(value: Any) -> list[int]:
-    """The body axes of roll, pitch and yaw."""
+    """Return the body axes of roll, pitch and yaw."""
     axes = value.split(",") if isinstance(value, str) else value if isinstance(value, list) else []
     texts = [str(_text(x)).strip() for x in axes]
     if sorted(text.removeprefix("-") for text in texts) != ["1", "2", "3"]:
@@ -207,7 +208,7 @@ def _pointing(value: Any) -> list[int]:
 
 
 def _direction(value: Any) -> list[str]:
-    """Three expressions, or the word for all directions by two coordinates."""
+    """Return three expressions, or the word for all directions by two coordinates."""
     texts = [text.strip() for text in (value.split(",") if isinstance(value, str) else
                                        _texts("direction", value))]
     if len(texts) != 3 and texts != [STEREOGRAPHIC]:
@@ -217,7 +218,7 @@ def _direction(value: Any) -> list[str]:
 
 
 def _values(value: Any) -> dict[str, str]:
-    """Numbers by their names."""
+    """Return numbers by their names."""
     if not isinstance(value, dict):
         raise PublishedError(f'values = {brief(value)}: write a table, values = {{ I1 = 1.6, l = "1/3" }}')
     texts = {name: _text(number) for name, number in value.items()}
@@ -232,7 +233,7 @@ def _values(value: Any) -> dict[str, str]:
 
 
 def _text(value: Any) -> str | None:
-    """A number or text as it is written, None for anything else."""
+    """Return a number or text as it is written, None for anything else."""
     if isinstance(value, Written):
         return value.text
     if isinstance(value, int) and not isinstance(value, bool):

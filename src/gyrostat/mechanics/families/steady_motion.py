@@ -18,11 +18,11 @@ from ..scenes.system import System
 @checked
 def steady_motion(scene: System, *directions: Sequence[Any], omega: Sequence[Any] = (0, 0, 0),
                   label: str = "E") -> Equilibrium:
-    """The equilibrium at given directions in the body: π = I (ω − β), so that the body turns at ω.
+    """Return the equilibrium at given directions in the body: π = I (ω − β), so that the body turns at ω.
 
-    At rest in the frame of the directions where ω = 0, as it is wherever two of them are independent: a
-    satellite at n and r, a vehicle that translates at p and gamma. With one direction, or two that are
-    parallel, it may turn about it.
+    If ω = 0, the body is at rest in the frame of the directions, as it has to be if two of them are
+    independent: a satellite at n and r, a vehicle that translates at p and gamma. With one direction, or two
+    that are parallel, it may turn about it.
 
     Parameters
     ----------
@@ -54,13 +54,15 @@ def steady_motion(scene: System, *directions: Sequence[Any], omega: Sequence[Any
     >>> import gyrostat as gs
     >>> field = gs.coupled_potential(-gs.symbol("k1") - 2 * gs.symbol("e2"))
     >>> two = gs.assemble(gs.Gyrostat((2, 2, 1), (0, 0, 1)), field)
-    >>> gs.derivation.linearize(gs.steady_motion(two, (1, 0, 0), (0, 1, 0))).factors()[0]
+    >>> resting = gs.steady_motion(two, (1, 0, 0), (0, 1, 0))
+    >>> gs.derivation.linearize(resting).factors()[0]
     (lamda**2 + 3, 1)
     """
     potential = scene.potential
     if not isinstance(potential, CoupledPotential):
-        raise ScopeError("steady_motion is of a body in two directions, or with a coupling β: use "
-                         "permanent_rotation(scene, …), principal_rotation or equilibrium")
+        raise ScopeError("steady_motion is for a body in two directions, or with a coupling β, and this "
+                         "scene has neither: use permanent_rotation(scene, …), principal_rotation or "
+                         "equilibrium")
     if len(directions) != len(potential.directions):
         raise EquilibriumError(f"the scene has {len(potential.directions)} directions, "
                                f"{', '.join(potential.directions)}: give three components of each")

@@ -17,16 +17,17 @@ K3, OMEGA, DU = symbol("k3"), symbol("omega"), symbol("dU")
 
 @checked
 def inclined(scene: System, eliminate: str | None = None) -> Equilibrium:
-    """E3: precession at the rate omega about the vertical, tilted at 0 < θ < π, k3 = cos θ; ω = omega·k.
+    """Return E3: precession at the rate omega about the vertical, tilted at 0 < θ < π; ω = omega·k.
 
-    U'(k3) = ω l − ω² k3 (I1 − I3); by the spin symmetry the point shown has k2 = 0, k1 > 0.
+    With k3 = cos θ it needs U'(k3) = ω l − ω² k3 (I1 − I3); by the spin symmetry the point shown has k2 = 0,
+    k1 > 0.
 
     Parameters
     ----------
     scene : System
         body of revolution in U(k3)
     eliminate : str or None
-        the name that the relation expresses by the others; it must enter affinely. None: dU where U is
+        the name that the relation expresses by the others; it must enter affinely. Default: dU if U is
         unspecified; else l; else k3, or a parameter of U; else none, and the relation is checked at every
         point asked for
 
@@ -49,7 +50,8 @@ def inclined(scene: System, eliminate: str | None = None) -> Equilibrium:
     Examples
     --------
     >>> import gyrostat as gs
-    >>> gs.inclined(gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field()), eliminate="k3").relations[-1]
+    >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
+    >>> gs.inclined(top, eliminate="k3").relations[-1]
     (k3, (l*omega - m0)/(omega**2*(I1 - I3)))
     """
     return _tilted(E3.label, scene, OMEGA, eliminate)
@@ -57,7 +59,7 @@ def inclined(scene: System, eliminate: str | None = None) -> Equilibrium:
 
 @checked
 def static_tilt(scene: System, eliminate: str | None = None) -> Equilibrium:
-    """The body at rest at a tilt where U'(k3) = 0, for every l.
+    """Return the body at rest at a tilt where U'(k3) = 0, for every l.
 
     Parameters
     ----------
@@ -81,7 +83,8 @@ def static_tilt(scene: System, eliminate: str | None = None) -> Equilibrium:
     Examples
     --------
     >>> import gyrostat as gs
-    >>> gs.static_tilt(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())).point
+    >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())
+    >>> gs.static_tilt(top).point
     (0, 0, 0, sqrt(1 - k3**2), 0, k3)
     """
     return _tilted(E3_AT_REST.label, scene, S.Zero, eliminate)
@@ -102,7 +105,7 @@ def _tilted(label: str, scene: System, omega: Expr, eliminate: str | None) -> Eq
     if (relation := plain(slope - given)).is_number and relation != 0:
         unknown = " (not proved to be true or false)" if sign_of_constant(relation) is None else ""
         raise EquilibriumError(f"{label} does not exist in U = {potential.expression}: its relation is "
-                               f"{relation} = 0{unknown}")
+                               f"{relation} = 0{unknown}; choose another field, or another family")
     name, solved, pivot = solved_for(relation, eliminate, potential.parameters, label)
     relations = (
         [(DU, slope)] if name == "dU" or solved is None else [(DU, slope), (symbol(str(name)), solved)]

@@ -12,7 +12,7 @@ from .named_families import E1, E2
 
 @checked
 def upright(scene: System, spin: str = "pi3_0") -> Equilibrium:
-    """E1: spinning about the upward vertical, k3 = 1.
+    """Return E1: spinning about the upward vertical, k3 = 1.
 
     Parameters
     ----------
@@ -30,7 +30,7 @@ def upright(scene: System, spin: str = "pi3_0") -> Equilibrium:
     ScopeError
         the scene has no field
     EquilibriumError
-        another spin; or the point is none, in a field that is not axial
+        another spin; or the point is no equilibrium, in a field that is not axial
 
     References
     ----------
@@ -39,7 +39,8 @@ def upright(scene: System, spin: str = "pi3_0") -> Equilibrium:
     Examples
     --------
     >>> import gyrostat as gs
-    >>> gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())).point
+    >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())
+    >>> gs.upright(top).point
     (0, 0, pi3_0, 0, 0, 1)
     """
     return _vertical(E1, scene, spin)
@@ -47,7 +48,7 @@ def upright(scene: System, spin: str = "pi3_0") -> Equilibrium:
 
 @checked
 def hanging(scene: System, spin: str = "pi3_0") -> Equilibrium:
-    """E2: spinning about the downward vertical, k3 = -1.
+    """Return E2: spinning about the downward vertical, k3 = -1.
 
     Parameters
     ----------
@@ -65,7 +66,7 @@ def hanging(scene: System, spin: str = "pi3_0") -> Equilibrium:
     ScopeError
         a free body hangs nowhere: the scene has no field
     EquilibriumError
-        another name of the spin; or a field that is not axial, in which this is none
+        another name of the spin; or the point is no equilibrium, in a field that is not axial
 
     References
     ----------
@@ -74,7 +75,8 @@ def hanging(scene: System, spin: str = "pi3_0") -> Equilibrium:
     Examples
     --------
     >>> import gyrostat as gs
-    >>> gs.hanging(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())).point
+    >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())
+    >>> gs.hanging(top).point
     (0, 0, pi3_0, 0, 0, -1)
     """
     return _vertical(E2, scene, spin)

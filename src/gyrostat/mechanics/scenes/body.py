@@ -1,4 +1,4 @@
-"""Gyrostat: inertia, gyrostatic momentum, kinetic energy."""
+"""The gyrostat: inertia, gyrostatic momentum, kinetic energy."""
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -18,7 +18,7 @@ from ...registry import check_names
 
 @dataclass(frozen=True)
 class Gyrostat(Shown, Stored):
-    """Rigid body with a rotor whose relative angular momentum l is constant, in axes fixed in the body.
+    """A rigid body with a rotor whose relative angular momentum l is constant, in axes fixed in the body.
 
     Each entry is a number (made exact) or a SymPy expression; the default is the general body, in symbols.
     Arrays are sequences too, and a diagonal matrix has its moments on the diagonal. With a full tensor
@@ -92,7 +92,7 @@ class Gyrostat(Shown, Stored):
 
     @cached_property
     def inverse(self) -> ImmutableMatrix:
-        """I⁻¹, shape (3, 3): ω = I⁻¹ π."""
+        """The inverse I⁻¹ of the tensor, shape (3, 3): ω = I⁻¹ π."""
         if isinstance(self.inertia, ImmutableMatrix):
             return ImmutableMatrix(self.inertia.adjugate() / self.inertia.det(method="berkowitz"))
         return ImmutableMatrix(diag(*(1 / moment for moment in self.inertia)))
@@ -106,7 +106,7 @@ class Gyrostat(Shown, Stored):
 
     @property
     def positive(self) -> tuple[Expr, ...]:
-        """What is positive of any body: the moments, or the leading principal minors of the tensor."""
+        """What is positive for any body: the moments, or the leading principal minors of the tensor."""
         if not isinstance(self.inertia, ImmutableMatrix):
             return tuple(self.inertia)
         return leading_minors(self.inertia)
@@ -118,7 +118,7 @@ class Gyrostat(Shown, Stored):
 
     @checked
     def changed(self, change: Callable[[Expr], Expr]) -> "Gyrostat":
-        """The body with every entry changed, numbers inserted, say.
+        """Return the body with every entry changed, for example by inserting numbers.
 
         Parameters
         ----------
@@ -134,7 +134,7 @@ class Gyrostat(Shown, Stored):
 
     @checked
     def kinetic_energy(self, momentum: Sequence[Expr]) -> Expr:
-        """T = ½ π·I⁻¹π, with the rotor locked.
+        """Return T = ½ π·I⁻¹π, with the rotor locked.
 
         Parameters
         ----------
@@ -153,14 +153,14 @@ class Gyrostat(Shown, Stored):
         return Add(*(Rational(1, 2) * p**2 / moment for p, moment in zip(momentum, self.inertia)))
 
     def is_of_revolution(self) -> bool:
-        """Whether I1 = I2 and l lies on axis 3."""
+        """Tell whether I1 = I2 and l lies on axis 3."""
         if isinstance(self.inertia, ImmutableMatrix):
             return False
         return self.inertia[0] == self.inertia[1] and self.gyrostatic_momentum[:2] == (0, 0)
 
 
 def symmetric_gyrostat() -> Gyrostat:
-    """Gyrostat of revolution: I1 = I2, l = (0, 0, l).
+    """Return the gyrostat of revolution: I1 = I2, l = (0, 0, l).
 
     Returns
     -------
@@ -176,7 +176,7 @@ def symmetric_gyrostat() -> Gyrostat:
 
 
 def _as_first_written(values: Sequence[Expr]) -> tuple[Expr, ...]:
-    """Constants that are equal in one spelling, so that a body of revolution is one."""
+    """Return constants that are equal in one spelling, so that a body of revolution is recognised."""
     known: list[Expr] = []
     for value in values:
         same = (x for x in known if not (apart := x - value).free_symbols and sign_of_constant(apart) == 0)
@@ -185,7 +185,7 @@ def _as_first_written(values: Sequence[Expr]) -> tuple[Expr, ...]:
 
 
 def tensor_of(entries: Sequence[Expr]) -> ImmutableMatrix:
-    """A symmetric tensor of nine exact entries, row by row.
+    """Return a symmetric tensor from nine exact entries, row by row.
 
     Raises
     ------
@@ -203,13 +203,12 @@ def tensor_of(entries: Sequence[Expr]) -> ImmutableMatrix:
 
 
 def leading_minors(tensor: ImmutableMatrix) -> tuple[Expr, ...]:
-    """The three leading principal minors, all positive where the tensor is."""
+    """Return the three leading principal minors, which are all positive if the tensor is."""
     return tuple(tensor[:n, :n].det(method="berkowitz") for n in (1, 2, 3))
 
 
 def _entries(given: Any, field: str) -> tuple[Any, ...]:
-    """Three entries, of a sequence or an array; of a diagonal matrix those on the diagonal, of another all.
-    """
+    """Return three entries of a sequence, an array or a diagonal matrix, or all nine of another matrix."""
     if hasattr(given, "__len__") and len(given) > 9:
         raise BodyError(f"{field} has {len(given)} entries: give three, one for each principal axis")
     rows = given.tolist() if hasattr(given, "tolist") else given
@@ -237,5 +236,5 @@ def _entries(given: Any, field: str) -> tuple[Any, ...]:
 
 
 def _without_surds_below(value: Expr) -> Expr:
-    """A number with its denominator rational, as polynomial algebra wants it."""
+    """Return a number with a rational denominator, as polynomial algebra wants it."""
     return value if value.free_symbols or value.is_Rational else radsimp(value)

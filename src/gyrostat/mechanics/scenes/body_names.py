@@ -1,4 +1,4 @@
-"""What is written in I1, I2, I3, l or l1, l2, l3, of a body: its moments and its rotor are inserted."""
+"""Inserts the moments and the rotor of a body into what is written in I1, I2, I3, l or l1, l2, l3."""
 from collections.abc import Mapping
 from types import MappingProxyType
 
@@ -14,10 +14,10 @@ _MOMENTS = components("I")
 
 def in_names_of(body: Gyrostat, expression: Expr, tensor: Mapping[Symbol, Expr] = MappingProxyType({})
                 ) -> Expr:
-    """The expression with the moments and the gyrostatic momentum of the body in place of their names.
+    """Return the expression with the moments and the gyrostatic momentum of the body for their names.
 
-    All at once with those of a tensor: what is inserted has names too. Where the rotor has the name l along
-    another axis, l is that.
+    They are inserted at once with those of a tensor, since what is inserted has names too. If the rotor has
+    the name l along another axis, l is that.
     """
     # a tensor has none
     names = dict(zip(_MOMENTS, body.moments)) if expression.free_symbols & {*_MOMENTS} else {}
@@ -29,7 +29,7 @@ def in_names_of(body: Gyrostat, expression: Expr, tensor: Mapping[Symbol, Expr] 
 
 
 def potential_of_body(potential: Potential, body: Gyrostat) -> Potential:
-    """The potential with this body's moments and gyrostatic momentum inserted."""
+    """Return the potential with this body's moments and gyrostatic momentum inserted."""
     if potential.revolution and body.moments[0] != body.moments[1]:
         raise ScopeError(f"U = {potential.expression} is written for I1 = I2, the body has inertia = "
                          f"{body.moments}: "

@@ -21,9 +21,10 @@ Held = tuple[tuple[Expr, Expr], ...]
 class CoupledPotential(Potential):
     """U as a function of one or two directions, always given, and β, linear in them: h = T + β·π + U.
 
-    The rate of the body against the frame of the directions is Aπ + β. In that of an orbit, which turns at
-    the rate ω0 about n, β = −ω0 n (circular_orbit); of a body in a fluid β comes from the mass that it moves,
-    and the frame does not turn: so internal damping takes the frame of any other β.
+    The rate of the body against the frame of the directions is Aπ + β, with A the inverse of its tensor. In
+    the frame of an orbit, which turns at the rate ω0 about n, β = −ω0 n (circular_orbit). If the body is in a
+    fluid, β comes from the mass that it moves, and the frame does not turn: internal damping
+    takes the frame of every β that is not that of an orbit as one that does not turn.
 
     Parameters
     ----------
@@ -62,7 +63,7 @@ class CoupledPotential(Potential):
 
     @checked
     def changed(self, change: Callable[[Expr], Expr]) -> "CoupledPotential":
-        """With every expression changed, numbers inserted, say.
+        """Return the potential with every expression changed, for example by inserting numbers.
 
         Parameters
         ----------
@@ -76,12 +77,12 @@ class CoupledPotential(Potential):
         return replace(self, expression=change(self.expression), drift=(first, second, third))
 
     def gradient(self) -> tuple[Expr, ...]:
-        """∇U, one entry for each component of the directions."""
+        """Return ∇U, one entry for each component of the directions."""
         return self.following(self.expression)
 
     @checked
     def following(self, derivative: Expr) -> tuple[Expr, ...]:
-        """Derivatives of an entry of ∇U along the components of the directions.
+        """Return the derivatives of an entry of ∇U along the components of the directions.
 
         Parameters
         ----------
@@ -98,7 +99,7 @@ class CoupledPotential(Potential):
 def coupled_potential(expression: Any, directions: Sequence[str] = ("k", "e"),
                       drift: Sequence[Any] = (0, 0, 0),
                       held: Sequence[tuple[Any, Any]] = ()) -> CoupledPotential:
-    """A potential in one or two directions, with a term β·π of the energy.
+    """Return a potential in one or two directions, with a term β·π of the energy.
 
     Parameters
     ----------
@@ -110,7 +111,7 @@ def coupled_potential(expression: Any, directions: Sequence[str] = ("k", "e"),
     drift : sequence, shape (3,)
         β, linear in the directions [1/T]
     held : pairs (Casimir, value)
-        of a·a, a·b, b·b, what is known: (k1² + k2² + k3², 1) where k is a unit vector
+        what is known of a·a, a·b, b·b: (k1² + k2² + k3², 1) if k is a unit vector
 
     Returns
     -------
@@ -131,7 +132,8 @@ def coupled_potential(expression: Any, directions: Sequence[str] = ("k", "e"),
     --------
     >>> import gyrostat as gs
     >>> k1, e2 = gs.symbol("k1"), gs.symbol("e2")
-    >>> scene = gs.assemble(gs.Gyrostat(gyrostatic_momentum=(0, 0, 0)), gs.coupled_potential(-k1 - 2 * e2))
+    >>> body = gs.Gyrostat(gyrostatic_momentum=(0, 0, 0))
+    >>> scene = gs.assemble(body, gs.coupled_potential(-k1 - 2 * e2))
     >>> scene.vector_field()[3:6]
     [k2*pi3/I3 - k3*pi2/I2, -k1*pi3/I3 + k3*pi1/I1, k1*pi2/I2 - k2*pi1/I1]
     """
@@ -145,7 +147,8 @@ def coupled_potential(expression: Any, directions: Sequence[str] = ("k", "e"),
         left = entry - Add(*(x * slope for x, slope in zip(variables, slopes)))
         if left.expand() != 0 or any(slope.free_symbols & {*variables} for slope in slopes):
             raise PotentialError(f"drift = ({first}, {second}, {third}): {entry} is not linear in "
-                                 f"{', '.join(map(str, variables))}: β is a matrix times a direction")
+                                 f"{', '.join(map(str, variables))}: β is a matrix times a "
+                                 "direction; give it so")
     check_names({s for e in (U, first, second, third) for s in e.free_symbols} - {*variables},
                 f"U = {U}", PotentialError)
     pairs = tuple((exact_expression(c, "a Casimir"), exact_expression(v, "its value")) for c, v in held)
@@ -153,7 +156,7 @@ def coupled_potential(expression: Any, directions: Sequence[str] = ("k", "e"),
 
 
 def in_one_direction(potential: Potential | None, what: str) -> None:
-    """Refuse two directions, and a term β·π: what is asked is of a field U(k) that is fixed in space."""
+    """Refuse two directions, and a term β·π, for what is asked of a field U(k) that is fixed in space."""
     if isinstance(potential, CoupledPotential):
         has = (f"the directions {' and '.join(potential.directions)}" if len(potential.directions) > 1
                else f"a coupling β = ({', '.join(map(str, potential.drift))})")
@@ -163,7 +166,7 @@ def in_one_direction(potential: Potential | None, what: str) -> None:
 
 
 def unit_and_orthogonal(directions: Sequence[str]) -> Held:
-    """Each direction a unit vector, two of them at right angles."""
+    """Return the Casimirs that make each direction a unit vector, two of them at right angles."""
     vectors = list(map(components, directions))
     return tuple((Add(*(x * y for x, y in zip(a, b))), S.One if a is b else S.Zero)
                  for n, a in enumerate(vectors) for b in vectors[n:])

@@ -1,4 +1,4 @@
-"""Potentials U(k3) and U(k1, k2, k3), given as an expression or a function, or left unspecified."""
+"""Makes potentials U(k3) and U(k1, k2, k3) of an expression or a function, or leaves them unspecified."""
 from collections.abc import Callable
 from typing import Any
 
@@ -19,7 +19,7 @@ _NOT_SMOOTH = (sympy.Abs, sympy.sign, sympy.Heaviside, sympy.DiracDelta, sympy.P
 
 @checked
 def axial_potential(expression: Expr | float | str | Callable[[Symbol], Expr] | None = None) -> Potential:
-    """Axially symmetric potential U(k3).
+    """Return an axially symmetric potential U(k3).
 
     Parameters
     ----------
@@ -44,8 +44,10 @@ def axial_potential(expression: Expr | float | str | Callable[[Symbol], Expr] | 
     Examples
     --------
     >>> import gyrostat as gs
-    >>> gs.axial_potential(lambda k3: k3**2 / 2).expression, gs.axial_potential("m0*k3").expression
-    (k3**2/2, k3*m0)
+    >>> gs.axial_potential(lambda k3: k3**2 / 2).expression
+    k3**2/2
+    >>> gs.axial_potential("m0*k3").expression
+    k3*m0
     >>> gs.axial_potential().expression
     U(k3)
     """
@@ -54,7 +56,7 @@ def axial_potential(expression: Expr | float | str | Callable[[Symbol], Expr] | 
 
 @checked
 def general_potential(expression: Expr | float | str | Callable[..., Expr] | None = None) -> Potential:
-    """Potential U(k1, k2, k3).
+    """Return a potential U(k1, k2, k3).
 
     Parameters
     ----------
@@ -88,7 +90,7 @@ def _potential(variables: tuple[Symbol, ...], given: Any) -> Potential:
     expression = exact_expression(expression_of(given, variables), "U")
     if rough := occurring(expression, *_NOT_SMOOTH):
         raise PotentialError(f"U = {expression} is not smooth, it contains {', '.join(map(str, rough))}: "
-                             "stability needs two derivatives")
+                             "stability needs two derivatives; give a smooth U")
     if expression.atoms(AppliedUndef):
         raise PotentialError(f"U = {expression} contains an unspecified function: call without arguments "
                              "to leave U unspecified")

@@ -13,7 +13,7 @@ from .potential import Potential
 # the jet is the same of every U: what it leaves open is derived once for a body
 @lru_cache(maxsize=64)
 def jet_field(space: LiePoisson, energy_gradient: tuple[Expr, ...]) -> ImmutableMatrix:
-    """B ∇h, one coefficient for each product of coordinates."""
+    """Return B ∇h, with one coefficient for each product of coordinates."""
     return ImmutableMatrix([_collected(component, space.coordinates)
                             for component in (space.tensor * ImmutableMatrix(energy_gradient)).flat()])
 
@@ -21,7 +21,10 @@ def jet_field(space: LiePoisson, energy_gradient: tuple[Expr, ...]) -> Immutable
 @lru_cache(maxsize=64)
 def jet_jacobian(field: ImmutableMatrix, coordinates: tuple[Symbol, ...],
                  following: tuple[tuple[Symbol, tuple[Expr, ...]], ...]) -> ImmutableMatrix:
-    """Its derivative along the coordinates, each symbol of the jet with the symbols that follow it."""
+    """Return the derivative of the field along the coordinates, dU differentiated to d2U.
+
+    Each symbol of the jet comes with the symbols that follow it.
+    """
     rows = []
     for rate in field.flat():
         row = derivatives(rate, (*coordinates, *(d for d, _ in following)))
@@ -32,13 +35,13 @@ def jet_jacobian(field: ImmutableMatrix, coordinates: tuple[Symbol, ...],
 
 
 def inserted(potential: Potential, rates: Sequence[Expr]) -> list[Expr]:
-    """Rates in the jet of U, with what its symbols stand for."""
+    """Return rates in the jet of U with what its symbols stand for."""
     values = {d: potential.value(d) for d in set().union(*(r.free_symbols for r in rates)) if jet(d.name)}
     return [rate.xreplace(values) for rate in rates]
 
 
 def _collected(component: Expr, coordinates: tuple[Symbol, ...]) -> Expr:
-    """The component with one coefficient for each product of coordinates, as in (I1 − I3)/(I1 I3) π2 π3."""
+    """Return the component with one coefficient for each product of coordinates, (I1 − I3)/(I1 I3) π2 π3."""
     ring = Ring([component])
     top, bottom = ring.fraction(component)
     return Add(*(Mul(ring.quotient(coefficient, bottom), ring.monomial(kind))

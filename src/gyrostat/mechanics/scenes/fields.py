@@ -1,4 +1,4 @@
-"""Named fields: uniform, Newtonian of any order, ideal fluid."""
+"""Fields that have names: uniform, Newtonian of any order by Legendre polynomials, ideal fluid."""
 from numbers import Integral
 
 from sympy import Rational, legendre
@@ -12,7 +12,9 @@ HIGHEST = 100                                              # order: higher ones 
 
 
 def uniform_field() -> Potential:
-    """Uniform field, U = m0 k3 with m0 = m g z0; z0 > 0: the centre of mass is above the support at k3 = 1.
+    """Return the uniform field U = m0 k3 with m0 = m g z0.
+
+    If z0 > 0, the centre of mass is above the support at k3 = 1.
 
     Returns
     -------
@@ -32,7 +34,9 @@ def uniform_field() -> Potential:
 
 
 def newtonian_field(order: int) -> Potential:
-    """Attraction by a distant centre below, to any order in 1/r: 1 is uniform, 2 adds the gravity gradient.
+    """Return the attraction by a distant centre below, up to an order in 1/r.
+
+    Order 1 is the uniform field, order 2 adds the gravity gradient:
 
     U⁽ᴺ⁾ = Σ (−1)ⁿ⁺¹ g Jₙ/rⁿ⁻¹ Pₙ(k3) over n = 1, …, N, with Legendre's Pₙ, up to a constant that makes U = 0
     at k3 = 0:
@@ -41,8 +45,8 @@ def newtonian_field(order: int) -> Potential:
     The centre is at the distance r [L] from the fixed point, in the direction −k; g is its attraction there
     [L/T²]. J₁ = m z0 and J₂ = I1 − I3 enter through m0 = m g z0 [M L²/T²] and m1 = 3 g/r [1/T²]; from n = 3
     on, Jₙ = ∫ abs(x)ⁿ Pₙ(x3/abs(x)) dm [M Lⁿ] is a parameter, J3, J4, …, and the mass has to be distributed
-    alike about axis 3: I1 = I2 is not enough. Each Jₙ vanishes for odd n where the body is its own mirror
-    image in x3.
+    alike about axis 3: I1 = I2 is not enough. Each Jₙ vanishes for odd n if the body is its own mirror image
+    in x3.
 
     Parameters
     ----------
@@ -67,7 +71,8 @@ def newtonian_field(order: int) -> Potential:
     >>> import gyrostat as gs
     >>> gs.newtonian_field(2).expression
     k3**2*m1*(-I1 + I3)/2 + k3*m0
-    >>> gs.newtonian_field(3).expression - gs.newtonian_field(2).expression
+    >>> second, third = gs.newtonian_field(2), gs.newtonian_field(3)
+    >>> third.expression - second.expression
     J3*m1*(5*k3**3 - 3*k3)/(6*r)
     """
     if isinstance(order, bool) or not isinstance(order, Integral) or not 1 <= order <= HIGHEST:
@@ -85,7 +90,7 @@ def newtonian_field(order: int) -> Potential:
 
 
 def ideal_fluid() -> Potential:
-    """Body of revolution in an ideal fluid at rest at infinity: Kirchhoff's equations.
+    """Return the field of a body of revolution in an ideal fluid at rest at infinity: Kirchhoff's equations.
 
     U = ½ p0² (1/mass3 − 1/mass1) k3², the energy ½ (p1² + p2²)/mass1 + ½ p3²/mass3 of the impulse p = p0 k,
     up to a constant.

@@ -1,7 +1,4 @@
-"""Functions of the direction k on the sphere abs(k)² = r².
-
-Their normal form, and which of them depend on k3 alone.
-"""
+"""Brings functions of k on the sphere abs(k)² = r² to a normal form, and finds those of k3 alone."""
 from flint import fmpq_mpoly
 from sympy import Expr, ImmutableMatrix, Integer, Pow, S, Symbol, radsimp
 
@@ -13,19 +10,18 @@ K1, K2, K3 = DIRECTIONS
 
 
 def along_third(U: Expr, rotation: ImmutableMatrix, square_radius: Expr = S.One) -> Expr | None:
-    """U on abs(k)² = square_radius as a function of k3' alone, where k' = rotation k.
+    """Return U on abs(k)² = square_radius as a function of k3' alone, where k' = rotation k.
 
-    None where that is not proved.
-
-    k1'² is replaced by square_radius − k2'² − k3'², in the arguments of functions first, and denominators are
-    freed of k1'. On the sphere that form is unique, as far as the functions that are left in it are
-    independent.
+    None is returned if that is not proved. k1'² is replaced by square_radius − k2'² − k3'², in the arguments
+    of functions first, and denominators are freed of k1'. On the sphere that form is unique, as far as the
+    functions that are left in it are independent.
 
     Examples
     --------
     >>> from sympy import Matrix, exp
     >>> thirds = ImmutableMatrix([[2, -1, -2], [-1, 2, -2], [2, 2, 1]]) / 3
-    >>> along_third(exp(2*K1 + 2*K2 + K3) - K1**2 - K2**2 - K3**2, thirds), along_third(K1, thirds)
+    >>> U = exp(2*K1 + 2*K2 + K3) - K1**2 - K2**2 - K3**2
+    >>> along_third(U, thirds), along_third(K1, thirds)
     (exp(3*k3) - 1, None)
     """
     turned = U.xreplace(dict(zip(DIRECTIONS, rotation.T * ImmutableMatrix(DIRECTIONS))))
@@ -34,7 +30,7 @@ def along_third(U: Expr, rotation: ImmutableMatrix, square_radius: Expr = S.One)
 
 
 def _reduced(U: Expr, square_radius: Expr) -> Expr:
-    """The normal form, free of k1 and k2 where it is proved to be."""
+    """Return the normal form, free of k1 and k2 if it is proved to be."""
     functions = {f: f.func(*(_reduced(a, square_radius) for a in f.args)) for f in _functions(U)}
     U = U.xreplace(functions)
     if not U.free_symbols & {K1, K2}:
@@ -59,7 +55,7 @@ def _reduced(U: Expr, square_radius: Expr) -> Expr:
 
 
 def _proved(ring: Ring, polynomial: fmpq_mpoly) -> fmpq_mpoly:
-    """The same polynomial without the terms whose coefficient, a number, is proved to be 0."""
+    """Return the polynomial without the terms whose coefficient, a number, is proved to be 0."""
     polynomial, names = ring.reduce(polynomial), {s for g in ring.generators for s in g.free_symbols}
     kept = ((kind, c) for kind, c in ring.coefficients(polynomial, names).items() if c.is_constant()
             or not vanishes(ring.expression(c)))
@@ -68,7 +64,7 @@ def _proved(ring: Ring, polynomial: fmpq_mpoly) -> fmpq_mpoly:
 
 def _parted(ring: Ring, polynomial: fmpq_mpoly, square: fmpq_mpoly,
             below: fmpq_mpoly) -> tuple[list[fmpq_mpoly], int]:
-    """Even and odd, with belowⁿ · polynomial = even + odd k1 where below · k1² = square; and n."""
+    """Return even and odd with belowⁿ · polynomial = even + odd k1 if below · k1² = square; and n."""
     polynomial, place = ring.reduce(polynomial), ring.generators.index(K1)
     degree = max(polynomial.degrees()[place], 0)
     parts = [ring.zero, ring.zero]
@@ -78,7 +74,7 @@ def _parted(ring: Ring, polynomial: fmpq_mpoly, square: fmpq_mpoly,
 
 
 def _functions(node: Expr) -> set[Expr]:
-    """The outermost functions and roots that contain k1 or k2."""
+    """Return the outermost functions and roots that contain k1 or k2."""
     if isinstance(node, Symbol) or not node.free_symbols & {K1, K2}:
         return set()
     if node.is_Add or node.is_Mul or isinstance(node, Pow) and isinstance(node.exp, Integer):
@@ -87,12 +83,12 @@ def _functions(node: Expr) -> set[Expr]:
 
 
 def vanishes(expression: Expr) -> bool:
-    """Whether an expression is proved to be 0."""
+    """Tell whether an expression is proved to be 0."""
     value = lowest(expression)
     return value == 0 or not value.free_symbols and sign_of_constant(value) == 0
 
 
 def lowest(expression: Expr) -> Expr:
-    """In lowest terms; a number without roots below."""
+    """Return an expression in lowest terms; a number has no roots in its denominator."""
     value = lowest_terms(expression)
     return value if value.free_symbols or value.is_Rational else radsimp(value)

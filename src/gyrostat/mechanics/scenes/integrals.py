@@ -1,4 +1,4 @@
-"""Integrals of a scene: those linear in π are found; any other is given, read and proved."""
+"""Integrals of a scene: finds those linear in π as a kernel, reads and proves any other that is given."""
 from collections.abc import Sequence
 from functools import lru_cache
 from typing import Any
@@ -17,12 +17,14 @@ LONG = 200                                                 # characters of an ex
 
 
 def texts_or_expressions(integrals: Any) -> tuple[Expr, ...]:
-    """The integrals as they are given, texts read by the grammar."""
+    """Return the integrals as expressions, texts read by the grammar."""
     return tuple(parse(F) if isinstance(F, str) else exact_expression(F, "an integral") for F in integrals)
 
 
 def in_coordinates(F: Expr, space: LiePoisson, rotor: Sequence[Expr], parameters: set[Symbol]) -> Expr:
-    """F in the coordinates of the space, M = π + l inserted; refused if it has other names, or is constant.
+    """Return F in the coordinates of the space, with M = π + l inserted.
+
+    It is refused if it has other names, or is constant.
     """
     M = {symbol(f"M{i}"): pi + l for i, pi, l in zip((1, 2, 3), space.coordinates, rotor)}
     F = F.xreplace({name: value for name, value in M.items() if name not in parameters})
@@ -49,7 +51,7 @@ def check_independent(F: Expr, space: LiePoisson, known: Sequence[Expr]) -> None
 
 
 def everywhere(F: Expr, space: LiePoisson, hamiltonian: Expr, coupled: bool = False) -> bool:
-    """Whether F is an integral on all of |k| = 1; else it is one where C1 = 0, or it is refused.
+    """Tell whether F is an integral on all of |k| = 1; else it is one where C1 = 0, or it is refused.
 
     In two directions, or with a coupling, it is one on all of the space, or it is refused.
     """
@@ -64,18 +66,18 @@ def everywhere(F: Expr, space: LiePoisson, hamiltonian: Expr, coupled: bool = Fa
 
 
 def _short(expression: Expr) -> str:
-    """As a message shows it."""
+    """Return an expression as a message shows it."""
     return text if len(text := str(expression)) <= LONG else f"{text[:LONG - 3]}..."
 
 
 def _on_zero_level(rate: Expr, space: LiePoisson) -> Expr:
-    """The rate where C1 = M·k = 0, solved for π1."""
+    """Return the rate where C1 = M·k = 0, solved for π1."""
     pi1, k1 = space.coordinates[0], space.coordinates[3]
     return rate.xreplace({pi1: pi1 - space.casimirs[0] / k1})
 
 
 def _vanishes(rate: Expr, space: LiePoisson) -> bool:
-    """Whether a rate vanishes identically, on so(3)* or on |k| = 1 in e(3)*."""
+    """Tell whether a rate vanishes identically, on so(3)* or on |k| = 1 in e(3)*."""
     ring = Ring([rate, *space.coordinates])
     top = ring.numerator(rate)
     if space.coordinates[3:]:
@@ -85,7 +87,7 @@ def _vanishes(rate: Expr, space: LiePoisson) -> bool:
 
 @lru_cache(maxsize=64)
 def linear_integrals(coordinates: tuple[Symbol, ...], rates: tuple[Expr, ...]) -> tuple[Expr, ...]:
-    """Every combination c·π, c constant, whose rate c·π̇ vanishes identically."""
+    """Return every combination c·π, c constant, whose rate c·π̇ vanishes identically."""
     ring = Ring([*rates, *coordinates])
     (row,), _ = ring.matrix([list(rates)])
     equations: dict[tuple[int, ...], list[Any]] = {}

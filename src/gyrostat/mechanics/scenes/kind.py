@@ -1,4 +1,4 @@
-"""The kinds of scenes: of which equations a scene's relative equilibria are the solutions."""
+"""The kinds of scenes: which equations the relative equilibria of a scene solve."""
 from enum import Enum
 
 

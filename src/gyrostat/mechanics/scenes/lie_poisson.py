@@ -1,6 +1,6 @@
-"""LiePoisson: the bracket of a gyrostat on so(3)*, on e(3)* = (so(3) ⋉ R³)*, and with two directions.
+"""The Lie-Poisson bracket of a gyrostat on so(3)*, on e(3)* = (so(3) ⋉ R³)*, and with two directions.
 
-The one home of sign conventions.
+Every sign convention has its one home here:
 
 {F, G} = −M·(∂πF × ∂πG) − Σ a·(∂πF × ∂aG + ∂aF × ∂πG),  M = π + l,  a each direction, so that with
 ω = ∂h/∂π: π̇ = M × ω + Σ a × ∂h/∂a and ȧ = a × ω.
@@ -24,15 +24,15 @@ from ...registry import check_names
 
 
 def hat(v: Sequence[Expr]) -> ImmutableMatrix:
-    """R³ → so(3): hat(v) w = v × w."""
+    """Return the matrix of R³ → so(3): hat(v) w = v × w."""
     return ImmutableMatrix([[0, -v[2], v[1]], [v[2], 0, -v[0]], [-v[1], v[0], 0]])
 
 
 @dataclass(frozen=True)
 class LiePoisson(Shown, Stored):
-    """Poisson structure on Rⁿ.
+    """A Poisson structure on Rⁿ.
 
-    What exists is antisymmetric, obeys the Jacobi identity, and has the Casimirs it names.
+    Once it is built, it is antisymmetric, obeys the Jacobi identity, and has the Casimirs it names.
 
     Parameters
     ----------
@@ -73,15 +73,14 @@ class LiePoisson(Shown, Stored):
             if value := self.jacobiator(i, j, k):
                 names = ", ".join(str(self.coordinates[n]) for n in (i, j, k))
                 raise StructureError(f"the tensor breaks the Jacobi identity: the jacobiator of {names} is "
-                                     f"{value}, not 0; "
-                                     "check its entries")
+                                     f"{value}, not 0; check its entries")
         for casimir in self.casimirs:
             if any(entry := [lowest_terms(e) for e in self.tensor * self.gradient(casimir)]):
-                raise StructureError(f"{casimir} is not a Casimir: B ∇C = {entry}, not 0")
+                raise StructureError(f"{casimir} is not a Casimir: B ∇C = {entry}, not 0; correct it")
 
     @checked
     def gradient(self, f: Expr) -> ImmutableMatrix:
-        """∇f.
+        """Return ∇f.
 
         Parameters
         ----------
@@ -96,7 +95,7 @@ class LiePoisson(Shown, Stored):
 
     @checked
     def hessian(self, f: Expr) -> ImmutableMatrix:
-        """D²f.
+        """Return D²f.
 
         Parameters
         ----------
@@ -110,7 +109,7 @@ class LiePoisson(Shown, Stored):
         return _hessian(f, self.coordinates)
 
     def bracket(self, f: Any, g: Any) -> Expr:
-        """{f, g} = ∇f · B ∇g, expanded.
+        """Return {f, g} = ∇f · B ∇g, expanded.
 
         Parameters
         ----------
@@ -140,7 +139,7 @@ class LiePoisson(Shown, Stored):
 
     @checked
     def jacobiator(self, i: int, j: int, k: int) -> Expr:
-        """{xᵢ, {xⱼ, xₖ}} + cyclic, which is 0 for every Poisson tensor.
+        """Return {xᵢ, {xⱼ, xₖ}} + cyclic, which is 0 for every Poisson tensor.
 
         Parameters
         ----------
@@ -184,17 +183,18 @@ def _hessian(f: Expr, coordinates: tuple[Symbol, ...]) -> ImmutableMatrix:
 @checked
 def lie_poisson(directions: Sequence[str] = ("k",),
                 gyrostatic_momentum: Sequence[Any] | None = None) -> LiePoisson:
-    """The space of a gyrostat: so(3)* without directions, e(3)* with one, so(3)* ⋉ (R³ × R³) with two.
+    """Return the space of a gyrostat: so(3)* without directions, e(3)* with one, or that with two.
 
-    B = hat M on so(3)*, B = [[hat M, hat k], [hat k, 0]] on e(3)*, M = π + l; of two directions, each has its
-    row and its column. A third is a combination of two and their cross product: it has nothing to add.
+    B = hat M on so(3)*, B = [[hat M, hat k], [hat k, 0]] on e(3)*, M = π + l. On so(3)* ⋉ (R³ × R³), with two
+    directions, each has its row and its column. A third is a combination of two and their cross product: it
+    has nothing to add.
 
     Parameters
     ----------
     directions : sequence of str
-        none, one or two names: of a, the coordinates are a1, a2, a3
+        none, one or two names; the coordinates of a are a1, a2, a3
     gyrostatic_momentum : (l1, l2, l3) or None
-        l [M L²/T]; None leaves it in symbols
+        l [M L²/T]; default: the symbols l1, l2, l3
 
     Returns
     -------

@@ -1,4 +1,4 @@
-"""A potential U(k3) or U(k1, k2, k3), unspecified or given; its jet."""
+"""A potential U(k3) or U(k1, k2, k3), unspecified or given, and its jet: its derivatives at a point."""
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
@@ -25,7 +25,7 @@ U.__module__ = __name__                                # pickle finds it by this
 
 
 def expression_of(given: Any, variables: Sequence[Symbol]) -> Any:
-    """What is given as U; of a function its value at the components.
+    """Return what is given as U, or if it is a function its value at the components.
 
     Raises
     ------
@@ -113,7 +113,7 @@ class Potential(Shown, Stored):
 
     @checked
     def changed(self, change: Callable[[Expr], Expr]) -> "Potential":
-        """With its expression changed, numbers inserted, say.
+        """Return the potential with its expression changed, for example by inserting numbers.
 
         Parameters
         ----------
@@ -163,12 +163,12 @@ class Potential(Shown, Stored):
             not p.exp.is_Integer for p in self.expression.atoms(Pow)))
 
     def gradient(self) -> tuple[Expr, ...]:
-        """∇U in the symbols of the jet, shape (3,)."""
+        """Return ∇U in the symbols of the jet, shape (3,)."""
         return self.following(symbol("U"))
 
     @checked
     def following(self, derivative: Symbol) -> tuple[Expr, ...]:
-        """Derivatives along k1, k2, k3 of a symbol of the jet.
+        """Return the derivatives along k1, k2, k3 of a symbol of the jet.
 
         Parameters
         ----------
@@ -186,7 +186,7 @@ class Potential(Shown, Stored):
 
     @checked
     def value(self, derivative: Symbol) -> Expr:
-        """What a symbol of the jet stands for, as an expression in k.
+        """Return what a symbol of the jet stands for, as an expression in k.
 
         Parameters
         ----------
@@ -205,13 +205,13 @@ class Potential(Shown, Stored):
 
 @lru_cache(maxsize=1024)
 def derivative_along(expression: Expr, *variables: Symbol) -> Expr:
-    """Of an expression, along each of the variables in turn."""
+    """Return the derivative of an expression, along each of the variables in turn."""
     return expression.diff(*variables)
 
 
 @lru_cache(maxsize=256)
 def smooth_where_positive(expression: Expr) -> tuple[Expr, ...]:
-    """What has to be positive for the expression to be real and smooth.
+    """Return what has to be positive for the expression to be real and smooth.
 
     For example x in √x and log x, and 1 − x² in asin x.
     """

@@ -1,4 +1,4 @@
-"""What a potential is likely to have been meant as, where it is refused: written with k1, k2, k3."""
+"""Says what a refused potential was likely meant to be, written with k1, k2, k3."""
 from collections.abc import Sequence
 
 from sympy import Expr, Symbol, acos, cos, expand_trig, sin, sqrt
@@ -20,7 +20,7 @@ LONG = 80                                                  # characters of a pot
 
 
 def why_not(expression: Expr, variables: Sequence[Symbol]) -> str:
-    """Why a potential may not have its names, and what to write; "" if it may."""
+    """Return why a potential may not have its names, and what to write; "" if it may."""
     own = expression.free_symbols - {*variables}
     names = refused(own, Use.ANGLE)
     if names and use_of(names[0]) is Use.TIME:
@@ -41,7 +41,7 @@ def why_not(expression: Expr, variables: Sequence[Symbol]) -> str:
 
 
 def in_components(expression: Expr, tilt: Symbol = THETA) -> Expr:
-    """The expression with the components of k in place of Euler's angles, where they stand for them."""
+    """Return the expression with components of k for Euler's angles, where they stand for them."""
     across = sqrt(1 - K3**2)
     turned = expand_trig(expression).subs({sin(PSI): K1 / sin(tilt), cos(PSI): K2 / sin(tilt)}).expand()
     return (turned if turned.has(K1, K2) else expand_trig(expression)).subs(
@@ -49,26 +49,26 @@ def in_components(expression: Expr, tilt: Symbol = THETA) -> Expr:
 
 
 def _renamed(expression: Expr, variables: Sequence[Symbol]) -> Expr:
-    """With free letters for the names that are refused."""
+    """Return the expression with free letters for the names that are refused."""
     return expression.xreplace({symbol(name): symbol(letter)
                                 for name, letter in _letters(expression, variables).items()})
 
 
 def _letters(expression: Expr, variables: Sequence[Symbol]) -> dict[str, str]:
-    """A free letter for each name that is refused."""
+    """Return a free letter for each name that is refused."""
     own = expression.free_symbols - {*variables, K1, K2, K3}
     return free_letters(refused(own, Use.ANGLE), {s.name for s in own})
 
 
 def _shown(expression: Expr) -> str:
-    """As in U = …, if that is short and has no angle any more."""
+    """Return "as in U = …", if that is short and has no angle any more."""
     text = str(expression)
     angles = [s for s in expression.free_symbols if use_of(s.name) is Use.ANGLE]
     return "" if angles or len(text) > LONG else f", as in U = {text}"
 
 
 def without_k(expression: Expr, variables: Sequence[Symbol]) -> str:
-    """What to write for a potential that has no component of k: a formula, or k in place of other names."""
+    """Return what to write for a potential that has no component of k: a formula, or k for other names."""
     names = {s.name for s in expression.free_symbols}
     if time := [name for name in sorted(names) if use_of(name) is Use.TIME]:
         return f" and depends on {why_refused(time, ())}"
@@ -89,7 +89,7 @@ def without_k(expression: Expr, variables: Sequence[Symbol]) -> str:
 
 
 def _angles_meant(expression: Expr) -> tuple[str, Expr] | None:
-    """Of an angle between the axis and the field: k3 is its cosine."""
+    """Return what is meant by an angle between the axis and the field: k3 is its cosine."""
     arguments = {f.args[0] for f in expression.atoms(cos, sin) if f.args[0].is_Symbol}
     tilts = [s for s in expression.free_symbols if s.name in _TILTS] or list(arguments - {PSI, PHI})
     if not tilts and {PSI, PHI} & expression.free_symbols or len(tilts) > 1:
@@ -103,7 +103,7 @@ def _angles_meant(expression: Expr) -> tuple[str, Expr] | None:
 
 
 def _components_meant(expression: Expr) -> tuple[str, Expr] | None:
-    """Of other names for the direction, and of a height: z = z0 k3."""
+    """Return what is meant by other names for the direction, and by a height: z = z0 k3."""
     meant: dict[Symbol, Expr] = {}
     for s in expression.free_symbols:
         letter, axis = s.name[:-1].removesuffix("_"), s.name[-1]

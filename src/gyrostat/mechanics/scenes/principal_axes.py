@@ -1,4 +1,4 @@
-"""Principal axes of a body whose inertia tensor is given in any axes."""
+"""Principal axes of a body whose inertia tensor is given in any axes, from adjugates of the tensor."""
 from collections.abc import Iterator
 
 from sympy import CRootOf, Expr, ImmutableMatrix, Matrix, eye, radsimp, rem, sqrt
@@ -17,10 +17,10 @@ UNITS = tuple(eye(3)[:, n] for n in range(3))
 
 @checked
 def principal_axes(body: Gyrostat) -> tuple[Gyrostat, ImmutableMatrix]:
-    """The body in principal axes x' = R x, and the rotation R, exact.
+    """Return the body in principal axes x' = R x, and the rotation R, exactly.
 
-    The moments increase; where two of them are equal, their axes are the first and the second. A body that
-    is given in principal axes stays as it is.
+    The moments increase; if two of them are equal, their axes are the first and the second. A body that is
+    given in principal axes stays as it is.
 
     Parameters
     ----------
@@ -47,7 +47,8 @@ def principal_axes(body: Gyrostat) -> tuple[Gyrostat, ImmutableMatrix]:
     Examples
     --------
     >>> import gyrostat as gs
-    >>> body, R = gs.mechanics.principal_axes(gs.Gyrostat([[3, 1, 0], [1, 3, 0], [0, 0, 5]], (1, 1, 0)))
+    >>> given = gs.Gyrostat([[3, 1, 0], [1, 3, 0], [0, 0, 5]], (1, 1, 0))
+    >>> body, R = gs.mechanics.principal_axes(given)
     >>> body.moments, body.gyrostatic_momentum
     ((2, 4, 5), (0, sqrt(2), 0))
     >>> R
@@ -75,7 +76,7 @@ def principal_axes(body: Gyrostat) -> tuple[Gyrostat, ImmutableMatrix]:
 
 
 def _axes(about: ImmutableMatrix, level: Expr, moment: Expr) -> Iterator[list[Expr]]:
-    """Unit vectors along the axes of a moment, which is a root of the level once or twice."""
+    """Yield unit vectors along the axes of a moment, which is a root of the level once or twice."""
     def at(x: Expr) -> Expr:
         return evaluate(rem(x, level, MOMENT), {MOMENT: moment})
 
@@ -92,11 +93,12 @@ def _axes(about: ImmutableMatrix, level: Expr, moment: Expr) -> Iterator[list[Ex
 
 
 def _unit(axis: Matrix, square: Expr) -> list[Expr]:
-    """Along an axis of that length, squared; its last entry that is not 0 is positive."""
+    """Return the unit vector along an axis of that length, squared; its last entry that is not 0 is positive.
+    """
     side = next(s for x in reversed(axis) if (s := proved_sign(x)))
     return [_short(side * x / sqrt(square)) for x in axis]
 
 
 def _short(number: Expr) -> Expr:
-    """Without roots below; roots of cubics stay as they are."""
+    """Return a number without roots in its denominator; roots of cubics stay as they are."""
     return number if number.has(CRootOf) or number.free_symbols else radsimp(number)

@@ -20,8 +20,8 @@ from .functions_on_sphere import lowest
 class Rotor:
     """An axially symmetric rotor whose axis is fixed in the body.
 
-    Driven: its speed relative to the body is held, at rate; it turns with the body otherwise. Free: it runs
-    without friction, and its axial momentum is constant, axial · (ω·a + rate).
+    If it is driven, its speed relative to the body is held, at rate; it turns with the body otherwise. If it
+    is free, it runs without friction, and its axial momentum is constant, axial · (ω·a + rate).
 
     Parameters
     ----------
@@ -30,10 +30,10 @@ class Rotor:
     axial : Expr, number or text
         moment of inertia about the axis [M L²]
     transverse : Expr, number or text, or None
-        moment of inertia across it, about the centre of mass of the rotor [M L²]; needed where the tensor is
+        moment of inertia across it, about the centre of mass of the rotor [M L²]; needed if the tensor is
         that of the body without its rotors
     rate : Expr, number or text, or None
-        of a driven rotor, relative to the body [1/T]; None, without a momentum either: it stands still
+        of a driven rotor, relative to the body [1/T]; default, without a momentum either: it stands still
     momentum : Expr, number or text, or None
         of a free rotor, along the axis, in space [M L²/T]
 
@@ -45,7 +45,8 @@ class Rotor:
     Examples
     --------
     >>> import gyrostat as gs
-    >>> gs.Rotor((0, 3, 4), axial="25 g m^2", rate="3000 rpm").gyrostatic_momentum
+    >>> wheel = gs.Rotor((0, 3, 4), axial="25 g m^2", rate="3000 rpm")
+    >>> wheel.gyrostatic_momentum
     (0, 3*pi/2, 2*pi)
     """
 
@@ -75,25 +76,25 @@ class Rotor:
 
     @property
     def gyrostatic_momentum(self) -> tuple[Expr, ...]:
-        """Its part of l: axial · rate along the axis; of a free rotor, its momentum."""
+        """The part of l that it gives: axial · rate along the axis; if it is free, its momentum."""
         if self.momentum is not None:
             return tuple(self.momentum * x for x in self.axis)
         return tuple(lowest(self.axial * (self.rate or S.Zero) * x) for x in self.axis)
 
     @property
     def along(self) -> ImmutableMatrix:
-        """a aᵀ, shape (3, 3)."""
+        """The matrix a aᵀ, shape (3, 3)."""
         a = Matrix(self.axis)
         return ImmutableMatrix(a * a.T)
 
 
 @checked
 def gyrostat_with_rotors(inertia: Sequence[Any], rotors: Sequence[Rotor], *, lumped: bool) -> Gyrostat:
-    """The gyrostat that a body with rotors is.
+    """Return the gyrostat that a body with rotors is.
 
     l is the sum of the momenta of the rotors. The tensor is that of the locked body, and without axial · a aᵀ
     of each free rotor, which does not turn with the body about its axis. That is the tensor of the kinetic
-    energy: a potential of gravity, where there is one, keeps the full one, circular_orbit(rotors=...) that of
+    energy: a potential of gravity, if there is one, keeps the full one, circular_orbit(rotors=...) that of
     the gravity gradient.
 
     Parameters
@@ -122,7 +123,8 @@ def gyrostat_with_rotors(inertia: Sequence[Any], rotors: Sequence[Rotor], *, lum
     --------
     >>> import gyrostat as gs
     >>> wheel = gs.Rotor((0, 1, 0), axial="0.05 kg m^2", rate="3000 rpm")
-    >>> body = gs.gyrostat_with_rotors(("120 kg m^2", "110 kg m^2", "80 kg m^2"), [wheel], lumped=True)
+    >>> moments = "120 kg m^2", "110 kg m^2", "80 kg m^2"
+    >>> body = gs.gyrostat_with_rotors(moments, [wheel], lumped=True)
     >>> body.moments, body.gyrostatic_momentum
     ((120, 110, 80), (0, 5*pi, 0))
     """
@@ -146,7 +148,7 @@ def gyrostat_with_rotors(inertia: Sequence[Any], rotors: Sequence[Rotor], *, lum
 
 
 def _direction(axis: Sequence[Any]) -> tuple[Expr, ...]:
-    """The unit vector along an axis."""
+    """Return the unit vector along an axis."""
     if isinstance(axis, str | bytes) or not hasattr(axis, "__len__") or len(axis) != 3:
         raise BodyError(f"axis = {brief(axis)}: give three numbers, (0, 0, 1)")
     vector = [exact_number(x, "axis") for x in axis]

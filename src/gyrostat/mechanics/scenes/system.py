@@ -1,4 +1,4 @@
-"""System: a space, a Hamiltonian and the integrals found; its equations of motion; assemble."""
+"""A scene as a Lie-Poisson system: space, Hamiltonian, integrals and equations of motion; assembles it."""
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
@@ -22,9 +22,7 @@ from .potential import Potential
 
 @dataclass(frozen=True, repr=False)
 class System(Shown, Stored):
-    """A scene: a body and, if there is a field, a potential.
-
-    In the smallest Lie-Poisson space that holds them.
+    """A scene: a body and, if there is a field, a potential, in the smallest Lie-Poisson space for them.
 
     Parameters
     ----------
@@ -45,8 +43,10 @@ class System(Shown, Stored):
     --------
     >>> import gyrostat as gs
     >>> scene = gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
-    >>> scene.hamiltonian, scene.integrals
-    (k3*m0 + pi3**2/(2*I3) + pi1**2/(2*I1) + pi2**2/(2*I1), (pi3,))
+    >>> scene.hamiltonian
+    k3*m0 + pi3**2/(2*I3) + pi1**2/(2*I1) + pi2**2/(2*I1)
+    >>> scene.integrals
+    (pi3,)
     """
 
     body: Gyrostat
@@ -56,12 +56,12 @@ class System(Shown, Stored):
     potential: Potential | None = None
 
     def __post_init__(self) -> None:
-        if self.integrals:                                 # what is none is refused
+        if self.integrals:                                 # to refuse what is no integral
             _ = self.level_only
 
     @cached_property
     def kind(self) -> Kind:
-        """What it is: a free body, a body of revolution in U(k3), …; found once."""
+        """What the scene is: a free body, a body of revolution in U(k3), …; found once."""
         if self.potential is None:
             return Kind.FREE
         if self.potential.axial and self.body.is_of_revolution():
@@ -80,23 +80,23 @@ class System(Shown, Stored):
 
     @cached_property
     def level_only(self) -> tuple[Expr, ...]:
-        """The integrals that are conserved where C1 = M·k = 0 only."""
+        """The integrals that are conserved only where C1 = M·k = 0."""
         return tuple(F for F in self.integrals
                      if not everywhere(F, self.space, self.hamiltonian, self.coupled))
 
     @cached_property
     def linear_integrals(self) -> tuple[Expr, ...]:
-        """Those linear in π, of which the flow is a symmetry; every one of them is found."""
+        """The integrals linear in π, whose flow is a symmetry; every one of them is found."""
         return tuple(F for F in self.integrals if not any(self.space.hessian(F)))
 
     @property
     def given_integrals(self) -> tuple[Expr, ...]:
-        """Those that were given."""
+        """The integrals that were given."""
         return self.integrals[len(self.linear_integrals):]
 
     @checked
     def integrals_at(self, state: Sequence[Expr]) -> tuple[Expr, ...]:
-        """Those that are conserved on the level of the Casimirs of a state.
+        """Return the integrals that are conserved on the level of the Casimirs of a state.
 
         Parameters
         ----------
@@ -112,7 +112,7 @@ class System(Shown, Stored):
         return self.integrals
 
     def vector_field(self) -> ImmutableMatrix:
-        """ẋ = B ∇h, one component for each coordinate.
+        """Return ẋ = B ∇h, one component for each coordinate.
 
         Returns
         -------
@@ -135,7 +135,7 @@ class System(Shown, Stored):
 
     @cached_property
     def energy_gradient(self) -> ImmutableMatrix:
-        """∇h in the coordinates and the jet of U: ωᵢ = πᵢ/Iᵢ, then ∇U."""
+        """The gradient ∇h in the coordinates and the jet of U: ωᵢ = πᵢ/Iᵢ, then ∇U."""
         if self.coupled:
             return self.space.gradient(self.hamiltonian)
         rates = self.body.inverse * ImmutableMatrix(self.space.coordinates[:3])
@@ -143,7 +143,7 @@ class System(Shown, Stored):
 
     @cached_property
     def energy_hessian(self) -> ImmutableMatrix:
-        """D²h in the coordinates and the jet of U."""
+        """The Hessian D²h in the coordinates and the jet of U."""
         if self.coupled:
             return self.space.hessian(self.hamiltonian)
         kinetic = self.body.inverse
@@ -155,12 +155,12 @@ class System(Shown, Stored):
 
     @cached_property
     def jet_field(self) -> ImmutableMatrix:
-        """B ∇h in the coordinates and the jet of U, one coefficient for each product of coordinates."""
+        """The field B ∇h in coordinates and jet of U, one coefficient for each product of coordinates."""
         return jet_field(self.space, tuple(self.energy_gradient.flat()))
 
     @cached_property
     def jet_jacobian(self) -> ImmutableMatrix:
-        """Derivative of the field along the coordinates, dU differentiated to d2U."""
+        """The derivative of the field along the coordinates, dU differentiated to d2U."""
         if self.coupled:
             return jet_jacobian(self.jet_field, self.space.coordinates, ())
         slopes = self.potential.gradient() if self.potential else ()
@@ -172,7 +172,7 @@ class System(Shown, Stored):
 @checked
 def assemble(body: Gyrostat, potential: Potential | None = None,
              integrals: Sequence[Expr | str] = ()) -> System:
-    """The scene of a body: on so(3)* without a potential, on e(3)* with one.
+    """Return the scene of a body: on so(3)* without a potential, on e(3)* with one.
 
     The moments and the gyrostatic momentum of the body are inserted into a potential that names them.
 
@@ -201,8 +201,8 @@ def assemble(body: Gyrostat, potential: Potential | None = None,
     >>> import gyrostat as gs
     >>> gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential()).integrals
     (pi3,)
-    >>> body = gs.Gyrostat((1, 2, 3), (0, 0, 0))
-    >>> gs.assemble(body, gs.general_potential(0), integrals=("M1^2 + M2^2 + M3^2",)).integrals
+    >>> body, field = gs.Gyrostat((1, 2, 3), (0, 0, 0)), gs.general_potential(0)
+    >>> gs.assemble(body, field, integrals=["M1^2 + M2^2 + M3^2"]).integrals
     (pi1**2 + pi2**2 + pi3**2,)
     """
     if potential is not None:
@@ -217,7 +217,7 @@ def assemble(body: Gyrostat, potential: Potential | None = None,
 
 
 def system_of(body: Gyrostat, potential: Potential | None, given: Sequence[Expr] = ()) -> System:
-    """The scene of a body in a potential whose names are those of the scene: nothing is inserted."""
+    """Return the scene of a body in a potential that has the names of the scene: nothing is inserted."""
     space = lie_poisson(potential.directions if potential else (), body.gyrostatic_momentum)
     if taken := sorted(map(str, body.symbols & set(space.coordinates))):
         raise BodyError(f"the body depends on {', '.join(taken)}, a component of a direction of this scene: "
@@ -232,7 +232,7 @@ def system_of(body: Gyrostat, potential: Potential | None, given: Sequence[Expr]
 
 
 def at_numbers(scene: System, known: Mapping[Symbol, Expr]) -> System:
-    """The scene with numbers, or other expressions, in place of its names."""
+    """Return the scene with numbers, or other expressions, in place of its names."""
     potential = scene.potential
     field = potential and potential.changed(lambda e: e.xreplace(dict(known)))
     given = [F.xreplace(dict(known)) for F in scene.given_integrals]
@@ -241,5 +241,5 @@ def at_numbers(scene: System, known: Mapping[Symbol, Expr]) -> System:
 
 
 def names_of_scene(scene: System) -> set[Symbol]:
-    """The symbols of the body and of U."""
+    """Return the symbols of the body and of U."""
     return scene.body.symbols.union(scene.potential.parameters if scene.potential else ())

@@ -23,13 +23,13 @@ def underwater_vehicle(inertia: Sequence[Any] = components("I"), mass: Sequence[
                        coupling: Sequence[Sequence[Any]] | None = None, *,
                        weight: Sequence[Any] | None = None,
                        gyrostatic_momentum: Sequence[Any] = (0, 0, 0)) -> System:
-    """A neutrally buoyant body in an ideal fluid at rest at infinity: Kirchhoff's equations.
+    """Return a neutrally buoyant body in an ideal fluid at rest at infinity: Kirchhoff's equations.
 
-    T = ½ Ω·JΩ + Ω·Dv + ½ v·Mv of the body and the fluid that it moves, v the velocity of its centre of
-    buoyancy. The coordinates are π = JΩ + Dv, the impulse p = Dᵀ Ω + Mv and, of a body with weight, the
-    direction gamma of gravity, in body axes. In them h = ½ π·Aπ + π·Bp + ½ p·Cp − gamma·w with the inverse of
-    the matrix of T, so that the tensor of the body of the scene, of which Ω = A (π − …), is not J but
-    A⁻¹ = J − D M⁻¹ Dᵀ. Stability is that of π, p and gamma; the place of the vehicle drifts.
+    T = ½ Ω·JΩ + Ω·Dv + ½ v·Mv is the energy of the body and the fluid that it moves, v the velocity of its
+    centre of buoyancy. The coordinates are π = JΩ + Dv, the impulse p = Dᵀ Ω + Mv and, if the body has
+    weight, the direction gamma of gravity, in body axes. In them h = ½ π·Aπ + π·Bp + ½ p·Cp − gamma·w with
+    the inverse of the matrix of T, so that the tensor of the body of the scene, of which Ω = A (π − …), is
+    not J but A⁻¹ = J − D M⁻¹ Dᵀ. Stability is that of π, p and gamma; the place of the vehicle drifts.
 
     Parameters
     ----------
@@ -39,10 +39,10 @@ def underwater_vehicle(inertia: Sequence[Any] = components("I"), mass: Sequence[
         M, with the added masses [M]
     coupling : matrix, shape (3, 3), or None
         D [M L]; m hat(c) of a body of mass m with its centre of gravity at c and three planes of symmetry of
-        its hull; None is 0
+        its hull; default: 0
     weight : (w1, w2, w3) or None
-        w = m g c, weight times the position of the centre of gravity from that of buoyancy [M L²/T²]; None:
-        they are one point, and the only direction is p
+        w = m g c, weight times the position of the centre of gravity from that of buoyancy [M L²/T²];
+        default: they are one point, and the only direction is p
     gyrostatic_momentum : (l1, l2, l3)
         of rotors inside [M L²/T]
 
@@ -110,7 +110,7 @@ def _matrix(given: Any, name: str) -> ImmutableMatrix:
 
 
 def _symmetric(given: Any, name: str) -> ImmutableMatrix:
-    """Three entries, or a symmetric matrix."""
+    """Return a symmetric matrix from three entries, or from a matrix."""
     rows = given.tolist() if hasattr(given, "tolist") else given
     if any(isinstance(row, Sequence) and not isinstance(row, str) for row in rows):
         return tensor_of(_matrix(rows, name).flat())
@@ -118,7 +118,7 @@ def _symmetric(given: Any, name: str) -> ImmutableMatrix:
 
 
 def _check_positive(matrix: ImmutableMatrix, what: str) -> None:
-    """Every leading minor that is a number is positive."""
+    """Refuse a matrix with a leading minor that is a number and not positive."""
     for minor in leading_minors(matrix):
         if not minor.free_symbols and sign_of_constant(minor) != 1:
             raise BodyError(f"{what} {matrix.tolist()} is not positive definite, a leading minor is "
