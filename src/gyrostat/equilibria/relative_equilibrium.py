@@ -1,4 +1,4 @@
-"""RelativeEquilibrium: a motion in which nothing changes but the turn about the vertical; its decisions."""
+"""The record of a motion in which nothing changes but the turn about the vertical, and its decisions."""
 from dataclasses import dataclass, replace
 
 from sympy import Expr, ImmutableMatrix
@@ -31,11 +31,12 @@ class RelativeEquilibrium(Shown, Stored):
     >>> import gyrostat as gs
     >>> U = gs.general_potential(lambda k1, k2, k3: k1 + k2 + k3)
     >>> scene = gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 0)), U)
-    >>> for found in gs.relative_equilibria(scene, {"omega": 2})[:2]:
-    ...     print(found.label, found.decision.verdict.name, found.form.index)
+    >>> for e in gs.relative_equilibria(scene, {"omega": 2})[:2]:
+    ...     print(e.label, e.decision.verdict.name, e.form.index)
     permanent rotation STABLE 0
     permanent rotation UNSTABLE 1
-    >>> satellite = gs.assemble(gs.Gyrostat((1, "5/4", "8/5"), (0, 0, 0)), gs.circular_orbit(1))
+    >>> body = gs.Gyrostat((1, "5/4", "8/5"), (0, 0, 0))
+    >>> satellite = gs.assemble(body, gs.circular_orbit(1))
     >>> found = gs.relative_equilibria(satellite, {})
     >>> len(found), sum(e.decision.stable for e in found)
     (24, 4)
@@ -45,41 +46,41 @@ class RelativeEquilibrium(Shown, Stored):
 
     @property
     def label(self) -> str:
-        """E1, E2, E3 or precession of a body of revolution; permanent rotation; equilibrium in orbit."""
+        """The label: E1, E2, E3, precession, permanent rotation or equilibrium in orbit."""
         return self.form.label
 
     @property
     def scene(self) -> System:
-        """At its numbers."""
+        """The scene at given numbers."""
         return self.form.scene
 
     @property
     def place(self) -> dict[str, Expr | None]:
-        """What tells it from others of its scene, by name; None of what takes every value.
+        """What tells it from others of its scene, by name; None for what takes every value.
 
-        Of a body of revolution k3, omega, sigma and pi3, in its axis; of a free body π; of another in a field
-        k and omega; of a satellite n and r.
+        For a body of revolution these are k3, omega, sigma and pi3, in its axis; for a free body π; for
+        another body in a field k and omega; for a satellite n and r.
         """
         return self.form.place
 
     @property
     def point(self) -> tuple[Expr, ...]:
-        """In the coordinates of the scene; of a set of them, one of its points."""
+        """The point in the coordinates of the scene; for a set of them, one of its points."""
         return self.form.point
 
     @property
     def momentum(self) -> tuple[Expr, ...]:
-        """M = π + l, shape (3,) [M L²/T]."""
+        """The momentum M = π + l, shape (3,) [M L²/T]."""
         return tuple(evaluate(p + l, {}) for p, l in zip(self.point, self.scene.body.gyrostatic_momentum))
 
     @property
     def directions(self) -> tuple[tuple[Expr, ...], ...]:
-        """The unit vectors in the body: k; of a satellite n and r; none of a free body."""
+        """The unit vectors in the body: k; for a satellite n and r; none for a free body."""
         return self.form.directions
 
     @cached_property
     def attitude(self) -> ImmutableMatrix | None:
-        """From the body to the axes r, t, n of the orbit, shape (3, 3); None where the attitude turns."""
+        """The rotation from body to orbit axes r, t, n, shape (3, 3); None if the attitude turns."""
         if len(self.directions) < 2:
             return None
         n, r = self.directions
@@ -87,20 +88,20 @@ class RelativeEquilibrium(Shown, Stored):
 
     @property
     def rates(self) -> dict[str, Expr]:
-        """Of the rotation [1/T]: omega about k, or about M; sigma about the axis on top of it; omega0."""
+        """The rates [1/T]: omega about k, or about M; sigma about the axis on top of it; omega0."""
         return self.form.rates
 
     @property
     def locus(self) -> str:
-        """The set of equilibria to which it belongs, in words; "" of a point."""
+        """The set of equilibria to which it belongs, in words; "" for a point."""
         return self.form.locus
 
     @property
     def equilibrium(self) -> Equilibrium:
         """The same as a claimed point, for a report.
 
-        A regular precession is that of the scene whose rotor carries I3 sigma besides. Refused where M = 0
-        of a free body, a singular orbit.
+        A regular precession is that of the scene whose rotor carries I3 sigma besides. A free body with M = 0
+        is refused: its orbit is singular.
         """
         return self.form.equilibrium
 
@@ -111,7 +112,7 @@ class RelativeEquilibrium(Shown, Stored):
 
     @cached_property
     def decision(self) -> Decision:
-        """The verdict; of a set, and of a body of revolution, modulo the turn about its axis."""
+        """The verdict; for a set, and for a body of revolution, modulo the turn about its axis."""
         return noted(self._decided(), self.scene)
 
     def _decided(self) -> Decision:
@@ -132,7 +133,7 @@ class RelativeEquilibrium(Shown, Stored):
 
     @cached_property
     def damped(self) -> Decision | None:
-        """The verdict under internal damping; None of a precession, in which ω turns in the body."""
+        """The verdict under internal damping; None for a precession, in which ω turns in the body."""
         return None if self.form.turns else noted(self._decided_under_damping(), self.scene)
 
     def _decided_under_damping(self) -> Decision:
@@ -145,7 +146,7 @@ class RelativeEquilibrium(Shown, Stored):
 
     @cached_property
     def itself(self) -> Decision | None:
-        """What holds of the point where the decision is modulo the flow of an integral; else None."""
+        """What holds for the point if the decision is modulo the flow of an integral; else None."""
         if self.form.turns or not self.decision.modulo:
             return None
         known = self.form.known_point()
@@ -153,10 +154,10 @@ class RelativeEquilibrium(Shown, Stored):
 
     @property
     def frequencies(self) -> tuple[Expr, ...]:
-        """Of the small motions, in increasing order [1/T]."""
+        """The frequencies of the small motions, in increasing order [1/T]."""
         return self.form.frequencies
 
     @property
     def growth_rate(self) -> Expr | None:
-        """The largest real part of an eigenvalue [1/T]; None where there is none that is positive."""
+        """The largest real part of an eigenvalue [1/T]; None if none is positive."""
         return self.form.growth_rate

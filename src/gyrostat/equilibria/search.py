@@ -1,4 +1,4 @@
-"""All relative equilibria of a scene, with their decisions: the one verb for every kind of scene."""
+"""Finds all relative equilibria of a scene, with their decisions: the one verb for every kind of scene."""
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
@@ -17,35 +17,35 @@ from .relative_equilibrium import RelativeEquilibrium
 
 @checked
 def relative_equilibria(scene: System, values: Mapping[str, Any]) -> list[RelativeEquilibrium]:
-    """Every relative equilibrium of a scene at given numbers, each with its decision.
+    """Return every relative equilibrium of a scene at given numbers, each with its decision.
 
-    Of a body of revolution in U(k3): numbers for the moments, l and the parameters of U, and one of
+    For a body of revolution in U(k3), give numbers for the moments, l and the parameters of U, and one of
 
     - omega: E1, E2 and every E3 of that rate about the vertical, U' = ω l − ω² k3 (I1 − I3)
-    - pi3_0, C1: what lies on that level of π3 and of C1 = (π + l)·k: E1 and E2 where C1 = ±(π3 + l), and
+    - pi3_0, C1: what lies on that level of π3 and of C1 = (π + l)·k: E1 and E2 if C1 = ±(π3 + l), and
       every regular precession
     - k3: every E3 of that tilt, (I1 − I3) k3 ω² − l ω + U' = 0
     - k3, pi3_0: every regular precession of that tilt, I1 k3 ω² − (π3 + l) ω + U' = 0.
 
-    A body of revolution about another axis is recognised: of axis 1 it is k1 and pi1_0 in place of k3 and
-    pi3_0, of an oblique axis c it is kc = k·c and pic_0 = π·c.
+    A body of revolution about another axis is recognised: about axis 1 the names are k1 and pi1_0 in place of
+    k3 and pi3_0, about an oblique axis c they are kc = k·c and pic_0 = π·c.
 
-    Of any other body in a field: numbers for the moments, the rotor and the parameters of U, and one of
+    For any other body in a field, give numbers for the moments, the rotor and the parameters of U, and one of
 
     - omega: every permanent rotation ω = omega k of that rate, (∇U − omega l − omega² Ik) × k = 0, in a U
-      polynomial in k; of degree d at most 2 (d² − d + 1), or circles and other curves of them
+      polynomial in k; in one of degree d at most 2 (d² − d + 1), or circles and other curves of them
     - C1: every permanent rotation on that level of C1 = M·k, the critical points of the amended potential
       U + (C1 − l·k)²/(2 k·Ik), at rational numbers and in the same U; minima − saddles + maxima = 2 if all
       are points that are not degenerate
     - k1, k2, k3: every rate of a permanent rotation in that direction, omega² Ik × k + omega l × k = ∇U × k.
 
-    Of a free body or gyrostat: numbers for the moments and the rotor, and M, the length of M = π + l: every
-    permanent rotation on that momentum sphere.
+    For a free body or gyrostat, give numbers for the moments and the rotor, and M, the length of M = π + l:
+    every permanent rotation on that momentum sphere is found.
 
-    Of a satellite in a circular orbit: numbers for the moments, the rotor and omega0, if they are names:
-    every attitude in which it rests in the frame of the orbit, 8 to 24 if its moments are different, or a
-    closed curve of them; of a body of revolution with the rotor along its axis a point of each circle of
-    them.
+    For a satellite in a circular orbit, give numbers for the moments, the rotor and omega0, if they are
+    names: every attitude in which it rests in the frame of the orbit is found, 8 to 24 if its moments are
+    different, or a closed curve of them; for a body of revolution with the rotor along its axis a point of
+    each circle of them.
 
     Parameters
     ----------
@@ -58,18 +58,18 @@ def relative_equilibria(scene: System, values: Mapping[str, Any]) -> list[Relati
     Returns
     -------
     list of RelativeEquilibrium
-        complete; of a body in a field in the order of k3 from E1 down to E2, then of omega, without a pole
-        where U is infinite, of a circle of rotations a point, of another curve a point and its equation; of a
-        free one by energy
+        complete; for a body in a field in the order of k3 from E1 down to E2, then of omega, without a pole
+        at which U is infinite; for a circle of rotations a point, for another curve a point and its equation;
+        for a free body by energy
 
     Raises
     ------
     ValuesError
         names are missing, unknown or too many, or a number is not admissible
     ScopeError
-        U is unspecified; of a body of revolution it is not rational in k3; of any other, at a rate or on a
+        U is unspecified; for a body of revolution it is not rational in k3; for any other, at a rate or on a
         level, not a polynomial; or a number is not rational, on a level or in a U of degree 3 or more, and
-        they have no common factor
+        the numbers have no common factor
 
     References
     ----------
@@ -80,13 +80,18 @@ def relative_equilibria(scene: System, values: Mapping[str, Any]) -> list[Relati
     --------
     >>> import gyrostat as gs
     >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
-    >>> for b in gs.relative_equilibria(top, {"I1": 2, "I3": 1, "l": 0, "m0": 3, "k3": "1/2", "pi3_0": 6}):
-    ...     print(b.label, b.rates["omega"], b.decision.verdict.name)
+    >>> numbers = {"I1": 2, "I3": 1, "l": 0, "m0": 3}
+    >>> tilt = {"k3": "1/2", "pi3_0": 6}
+    >>> for e in gs.relative_equilibria(top, numbers | tilt):
+    ...     print(e.label, e.rates["omega"], e.decision.verdict.name)
     precession 3 - sqrt(6) STABLE
     precession sqrt(6) + 3 STABLE
     >>> free = gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 0)))
-    >>> [(b.momentum, b.decision.verdict.name) for b in gs.relative_equilibria(free, {"M": 1})[::2]]
-    [((0, 0, -1), 'STABLE'), ((0, -1, 0), 'UNSTABLE'), ((-1, 0, 0), 'STABLE')]
+    >>> for e in gs.relative_equilibria(free, {"M": 1})[::2]:
+    ...     print(e.momentum, e.decision.verdict.name)
+    (0, 0, -1) STABLE
+    (0, -1, 0) UNSTABLE
+    (-1, 0, 0) STABLE
     """
     if scene.kind not in FINDERS:
         in_one_direction(scene.potential, "relative_equilibria")
@@ -94,7 +99,7 @@ def relative_equilibria(scene: System, values: Mapping[str, Any]) -> list[Relati
 
 
 def _in_field(scene: System, values: Mapping[str, Any]) -> Sequence[Form]:
-    """Of a body that is not of revolution about axis 3: it may be about another axis."""
+    """Return the forms for a body that is not of revolution about axis 3; it may be about another axis."""
     if scene.unspecified or asked_about(scene, values):
         return revolution_forms(scene, values)
     return heavy_forms(scene, values)

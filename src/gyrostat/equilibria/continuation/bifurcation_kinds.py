@@ -1,4 +1,4 @@
-"""The kinds of bifurcation of relative equilibria, and which one there is at a place of a curve."""
+"""Names the kinds of bifurcation of relative equilibria, and tells which one is at a place of a curve."""
 from sympy import Expr
 
 from ...algebra.solving.plane_curves import PlaneCurve
@@ -24,18 +24,19 @@ AT_RATE, ON_LEVEL = "at fixed rate", "on a level"
 
 
 def tilt_leaves(family: Family) -> str:
-    """The kind of bifurcation at a fixed rate at which tilts come from a pole."""
+    """Return the kind of bifurcation at a fixed rate at which tilts come from a pole."""
     return f"{E3.label} leaves {family.label}"
 
 
 def precessions_leave(family: Family) -> str:
-    """The kind of bifurcation on the levels of a pole at which precessions come from it."""
+    """Return the kind of bifurcation on the levels of a pole at which precessions come from it."""
     return f"precessions leave {family.label}"
 
 
 def kind_of(place: Place, kinds: str) -> str:
-    """The name of what happens at a place of the curve of E3, or of the precessions of a level, by the
-    branches that come to it.
+    """Return the name of what happens at a place of a curve, by the branches that come to it.
+
+    The curve is that of E3, or of the precessions of a level.
     """
     few, many = sorted((len(place.left), len(place.right)))
     if place.x**2 == 1:
@@ -50,5 +51,5 @@ def kind_of(place: Place, kinds: str) -> str:
 
 
 def defined(curve: PlaneCurve, t: Expr, x: Expr) -> bool:
-    """Whether U' is finite at a point."""
+    """Tell whether U' is finite at a point."""
     return all(curve.sign(pole, t, x) != 0 for pole in curve.poles)

@@ -1,4 +1,4 @@
-"""Continuation along a name: every relative equilibrium of a scene over a range, and what happens there."""
+"""Continues every relative equilibrium of a scene along a name over a range, and says what happens there."""
 from collections.abc import Mapping
 from math import isfinite
 from typing import Any
@@ -23,11 +23,11 @@ CURVES: dict[Kind, type[FreeBranches | HeavyBranches | RevolutionBranches]] = {
 
 @checked
 def continuation(scene: System, name: str, ends: tuple[Any, Any], values: Mapping[str, Any]) -> Continuation:
-    """The branches of E1, E2 and E3, or of permanent rotations, over a range of one parameter, complete.
+    """Return the branches of E1, E2 and E3, or of permanent rotations, over a range of one parameter.
 
-    They are followed from one station to the next, exact values at which some may meet, appear or vanish, or
-    their stability change: between two of them the verdicts are those at one fraction, but for values at
-    which a resonance of a rotation that gyroscopic forces hold, or D4 = 0, is.
+    The list is complete. The branches are followed from one station to the next, exact values at which some
+    may meet, appear or vanish, or their stability change: between two of them the verdicts are those at one
+    fraction. Excepted are values at which a gyroscopically stabilised rotation is in resonance, or D4 = 0.
 
     Parameters
     ----------
@@ -38,7 +38,7 @@ def continuation(scene: System, name: str, ends: tuple[Any, Any], values: Mappin
     ends : pair of numbers
         of its range
     values : mapping of name to number
-        the moments, l, the parameters of U and omega, of a free gyrostat M, without the one that is free
+        the moments, l, the parameters of U and omega, for a free gyrostat M, without the one that is free
 
     Returns
     -------
@@ -55,16 +55,23 @@ def continuation(scene: System, name: str, ends: tuple[Any, Any], values: Mappin
     Examples
     --------
     >>> import gyrostat as gs
-    >>> scene = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential(lambda k3: k3**4 - k3**2 / 2))
-    >>> found = gs.continuation(scene, "omega", ("1/2", 2), {"I1": 2, "I3": 1, "l": 0})
-    >>> [(mark.kind, mark.value, mark.k3, mark.changes) for mark in found.marks]
-    [('fold on a level', sqrt(2)/2, 0, True), ('pitchfork at fixed rate', 1, 0, False)]
-    >>> [piece.verdict.name for piece in found.pieces if piece.label == "E3" and abs(piece.k3).max() < 0.1]
+    >>> field = gs.axial_potential(lambda k3: k3**4 - k3**2 / 2)
+    >>> scene = gs.assemble(gs.symmetric_gyrostat(), field)
+    >>> numbers = {"I1": 2, "I3": 1, "l": 0}
+    >>> found = gs.continuation(scene, "omega", ("1/2", 2), numbers)
+    >>> for mark in found.marks:
+    ...     print(mark.kind, mark.value, mark.k3, mark.changes)
+    fold on a level sqrt(2)/2 0 True
+    pitchfork at fixed rate 1 0 False
+    >>> [piece.verdict.name for piece in found.pieces
+    ...  if piece.label == "E3" and abs(piece.k3).max() < 0.1]
     ['UNSTABLE', 'STABLE', 'STABLE']
     >>> free = gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, gs.symbol("l"))))
     >>> found = gs.continuation(free, "l", (0, 1), {"M": 1})
-    >>> [(mark.kind, mark.value) for mark in found.marks], len(found.pieces)
-    ([('pitchfork', 1/2)], 10)
+    >>> [(mark.kind, mark.value) for mark in found.marks]
+    [('pitchfork', 1/2)]
+    >>> len(found.pieces)
+    10
     """
     in_one_direction(scene.potential, "continuation")
     low, high = (exact_number(end, name) for end in ends)

@@ -1,4 +1,4 @@
-"""follow: the equilibria of a curve over a range, from one station to the next, for every kind of scene."""
+"""Follows the equilibria of a curve over a range, from one station to the next, for every kind of scene."""
 from collections.abc import Iterable, Sequence
 from itertools import pairwise
 from typing import Protocol
@@ -12,30 +12,31 @@ Pieces = Sequence[Piece]
 
 
 class Curve(Protocol):
-    """What is asked of the equilibria of a scene over a range of one name.
+    """The interface of the equilibria of a scene over a range of one name.
 
     A station is a value at which some may meet, appear or vanish, or their stability may change.
     """
 
     @property
     def stations(self) -> Sequence[Expr]:
-        """All of them in the range, its ends among them or not; exact and in order."""
+        """All stations in the range, its ends among them or not; exact and in order."""
 
     def between(self, low: Expr, high: Expr) -> list[Piece]:
-        """Every equilibrium between two stations with its verdict, each in a piece from one to the other."""
+        """Return every equilibrium between two stations and its verdict, in a piece from one to the other.
+        """
 
     def through(self, station: Expr, before: Pieces, after: Pieces) -> Iterable[tuple[int, int]]:
-        """Which of those before a station go on after it as which, and meet no others."""
+        """Yield which of the pieces before a station go on after it as which, and meet no others."""
 
     def alone(self, station: Expr) -> Iterable[Piece]:
-        """Those at a station without others beside them."""
+        """Yield the equilibria at a station without others beside them."""
 
     def marks(self, station: Expr, before: Pieces | None, after: Pieces | None) -> Iterable[Mark]:
-        """What happens at a station; None beyond an end of the range."""
+        """Yield what happens at a station; before or after is None beyond an end of the range."""
 
 
 def follow(curve: Curve, low: Expr, high: Expr) -> Continuation:
-    """Every equilibrium as pieces of one verdict, by label, and the marks, by value."""
+    """Return every equilibrium as pieces of one verdict, by label, and the marks, by value."""
     inner = [t for t in curve.stations if t not in (low, high)]
     spans = [curve.between(a, b) for a, b in pairwise([low, *inner, high])]
     going = [[piece] for piece in spans[0]]

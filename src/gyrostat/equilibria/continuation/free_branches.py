@@ -1,4 +1,4 @@
-"""The permanent rotations of a free gyrostat over a range of a name."""
+"""Branches of the permanent rotations of a free gyrostat over a range of a name."""
 from collections.abc import Iterator, Mapping
 from typing import Any
 
@@ -48,25 +48,25 @@ class FreeBranches(PencilBranches):
         return in_order(list({t for t, _ in self.curve.double if within(t, *self.ends)}))
 
     def through(self, station: Expr, before: Pieces, after: Pieces) -> tuple[()]:
-        """None."""
+        """Return no pairs: every piece ends at a value at which two values of ν meet."""
         return ()
 
     def marks(self, station: Expr, before: Pieces | None, after: Pieces | None) -> Iterator[Mark]:
-        """What meets."""
+        """Yield what meets at a station."""
         here = [point for point in self.curve.double if point[0] == station]
         for kind, value, nu, M in rotations_meet(self.body, self.radius, self.curve.t, here):
             yield Mark(kind, str(self.curve.t), value, nu=nu, momentum=M)
 
     def forms(self, t: Rational) -> list[FreeForm]:
-        """By energy."""
+        """Return every rotation at a value, in the order of the energy."""
         at = Point({self.curve.t: t})
         return rotations_on_sphere(assemble(self.body.changed(lambda x: evaluate(x, at))),
                                    evaluate(self.radius, at))
 
     def x(self, form: FreeForm) -> arb:
-        """ν."""
+        """Return the ν of a rotation."""
         return ball(form.nu, PRECISION)
 
     def piece(self, label: str, parameter: Array, verdict: Verdict, x: Array, y: Array) -> Piece:
-        """M and ν."""
+        """Return a piece with M and ν."""
         return Piece(label, parameter, verdict, momentum=y, nu=x)

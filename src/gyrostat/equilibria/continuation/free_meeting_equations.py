@@ -1,4 +1,4 @@
-"""Where permanent rotations of a free gyrostat meet, as equations in its rotor and abs(M)."""
+"""Equations in rotor and abs(M) for the places at which permanent rotations of a free gyrostat meet."""
 from collections.abc import Iterator
 from itertools import combinations
 
@@ -14,12 +14,12 @@ Locus = tuple[str, tuple[Expr, ...], Expr]
 
 
 def loci_of_rotations(body: Gyrostat) -> Iterator[Locus]:
-    """(kind, what vanishes there, ν) of every kind.
+    """Yield (kind, what vanishes there, ν) for every kind.
 
-    With l on a principal axis or in a principal plane in I, l and M = abs(M) alone. In the plane of the axes
-    i and j a fold is on the evolute of an ellipse, an astroid in I_j l_i and I_i l_j, and a pitchfork with
-    ν = 1/I_k on an ellipse, l_i²/(1 − I_i/I_k)² + l_j²/(1 − I_j/I_k)² = M².
-    A fold elsewhere is given by its M and ν.
+    With l on a principal axis or in a principal plane it is in I, l and M = abs(M) alone. In the plane of the
+    axes i and j a fold is on the evolute of an ellipse, an astroid in I_j l_i and I_i l_j, and a pitchfork
+    with ν = 1/I_k on an ellipse, l_i²/(1 − I_i/I_k)² + l_j²/(1 − I_j/I_k)² = M². A fold elsewhere is given by
+    its M and ν.
 
     References
     ----------
@@ -38,7 +38,10 @@ def loci_of_rotations(body: Gyrostat) -> Iterator[Locus]:
 
 
 def _by_moment(body: Gyrostat) -> tuple[dict[Expr, Expr], dict[Expr, int]]:
-    """Of the moments whose axes carry l the sum of l², of the others how many axes; any tensor is general."""
+    """Return the sum of l² for each moment whose axes carry l, and how many axes each other moment has.
+
+    Any full tensor counts as general.
+    """
     if isinstance(body.inertia, ImmutableMatrix):
         return dict.fromkeys(MOMENTUM, S.One), {}
     squares: dict[Expr, Expr] = {}
@@ -49,7 +52,7 @@ def _by_moment(body: Gyrostat) -> tuple[dict[Expr, Expr], dict[Expr, int]]:
 
 
 def _parametrised(body: Gyrostat) -> tuple[Expr, ...]:
-    """M·adj(1 − ν I) I M, which is det(I) Δ; l − (1 − ν I) M; and the length of M."""
+    """Return M·adj(1 − ν I) I M, which is det(I) Δ; l − (1 − ν I) M; and the length of M."""
     M, turned = Matrix(MOMENTUM), eye(3) - NU * body.tensor
     left = Matrix(body.gyrostatic_momentum) - turned * M
     return (M.dot(turned.adjugate() * body.tensor * M), *left, M.dot(M) - LENGTH**2)

@@ -1,4 +1,4 @@
-"""Where permanent rotations of a free gyrostat meet, as numbers: folds, pitchforks, circles."""
+"""Finds as numbers where permanent rotations of a free gyrostat meet: folds, pitchforks, circles."""
 from collections.abc import Iterable, Iterator
 
 from sympy import Expr, Matrix, Symbol, eye, pi
@@ -13,9 +13,10 @@ from .pencil_branches import Pencil, meetings
 
 
 def rotation_curve(body: Gyrostat, radius: Expr, free: Symbol) -> PlaneCurve:
-    """abs(adj(1 − ν I) l)² = radius² det(1 − ν I)², on which ν of every rotation lies, over a free name.
+    """Return the curve abs(adj(1 − ν I) l)² = radius² det(1 − ν I)² over a free name.
 
-    Where l has no part along a principal axis, ν = 1/I is on it for every value, rotation or not.
+    The ν of every rotation lies on it. If l has no part along a principal axis, ν = 1/I is on it for every
+    value, rotation or not.
     """
     above, below = rotation_pencil(body, radius).fraction
     inside, size, _ = without_pi(above, radius)
@@ -31,13 +32,13 @@ def rotation_curve(body: Gyrostat, radius: Expr, free: Symbol) -> PlaneCurve:
 
 
 def rotation_pencil(body: Gyrostat, radius: Expr) -> Pencil:
-    """(1 − ν I) M = l."""
+    """Return the pencil of (1 − ν I) M = l."""
     return Pencil(eye(3), -body.tensor, Matrix(body.gyrostatic_momentum), radius, NU)
 
 
 def rotations_meet(body: Gyrostat, radius: Expr, free: Symbol, double: Iterable[tuple[Expr, Expr]]
                    ) -> Iterator[tuple[str, Expr, Expr, tuple[Expr, ...]]]:
-    """(kind, value, ν, M) of every place, by (value, ν) of double points of the curve; complete.
+    """Yield (kind, value, ν, M) for every place, by the double points (value, ν) of the curve; complete.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""The permanent rotations of a body in a field at a rate, over a range of a name."""
+"""Branches of the permanent rotations of a body in a field at a rate, over a range of a name."""
 import math
 from collections.abc import Iterator, Mapping
 from typing import Any
@@ -34,7 +34,7 @@ from .stations_at_rate import admissible, within
 class HeavyBranches(PencilBranches):
     """The Curve of a body in U = c·k + k·Qk/2 at a rate, cut where two rotations meet.
 
-    With ∇U = omega M + sigma k: between two stations the values of sigma are simple and in a fixed order, and
+    With ∇U = omega M + sigma k, the values of sigma between two stations are simple and in a fixed order, and
     neither the second variation nor the spectrum changes a sign.
     """
 
@@ -60,11 +60,12 @@ class HeavyBranches(PencilBranches):
         above, below = self.pencil.fraction
         self.curve = PlaneCurve(above.dot(above) - below**2, SIGMA, free, ends=())
         if not self.curve.rational:
-            raise ScopeError("rotations are followed at rational numbers: round the others to decimals")
+            raise ScopeError("a number is not rational, and rotations are followed at rational numbers: "
+                             "round it to decimals")
 
     @cached_property
     def met(self) -> dict[Expr, list[Expr]]:
-        """sigma at every value at which two rotations may meet."""
+        """The values at which two rotations may meet, and the sigma of these."""
         found: dict[Expr, list[Expr]] = {}
         for t, sigma in _double_points(self.curve, *self.ends):
             found.setdefault(t, []).append(sigma)
@@ -72,27 +73,30 @@ class HeavyBranches(PencilBranches):
 
     @cached_property
     def changed(self) -> dict[Expr, str]:
-        """What happens to the stability of one, by value."""
+        """The values at which the stability of a rotation may change, and the kind of the change."""
         return {t: kind for t, kind in changes(self.curve, self.pencil, *self.body)
                 if t not in self.met and within(t, *self.ends)}
 
     @cached_property
     def stations(self) -> list[Expr]:
-        """Both."""
+        """The values at which rotations meet, and those at which the stability of one may change."""
         return in_order([*self.met, *self.changed])
 
     def between(self, low: Expr, high: Expr) -> list[Piece]:
-        """In the order of sigma."""
+        """Return the pieces between two stations, in the order of sigma."""
         return sorted(super().between(low, high), key=_sigma)
 
     def through(self, station: Expr, before: Pieces, after: Pieces) -> Iterator[tuple[int, int]]:
-        """All of them where none meet, by sigma, and k where two have one sigma."""
+        """Yield which pieces go on as which: all of them, if none meet.
+
+        Pieces are joined by sigma, and by k if two have one sigma.
+        """
         if station not in self.met:
             for i, one in enumerate(before):
                 yield i, min(range(len(after)), key=lambda j: _apart(one, after[j]))
 
     def marks(self, station: Expr, before: Pieces | None, after: Pieces | None) -> Iterator[Mark]:
-        """What meets, or changes."""
+        """Yield what meets at a station, or what changes there."""
         if station in self.changed:
             if before is not None and after is not None:
                 for i, j in self.through(station, before, after):
@@ -108,17 +112,17 @@ class HeavyBranches(PencilBranches):
             yield Mark(kind, self.name, station, k[2], k=k)
 
     def forms(self, t: Rational) -> list[HeavyForm]:
-        """From the upright one down."""
+        """Return every rotation at a value, from the upright one down."""
         return heavy_forms(self.scene, {**self.values, self.name: t})
 
     def x(self, form: HeavyForm) -> arb:
-        """sigma."""
+        """Return the sigma of a rotation."""
         k, data, omega = form.in_balls(PRECISION)
         return dot(k, data.gradient) - omega * dot(k, [omega * dot(row, k) + l
                                                        for row, l in zip(data.inertia, data.rotor)])
 
     def piece(self, label: str, parameter: Array, verdict: Verdict, x: Array, y: Array) -> Piece:
-        """k and sigma."""
+        """Return a piece with k and sigma."""
         return Piece(label, parameter, verdict, k3=y[:, 2], k=y, sigma=x)
 
 
@@ -128,7 +132,7 @@ def _sigma(piece: Piece, end: int = 0) -> float:
 
 
 def _apart(before: Piece, after: Piece) -> tuple[float, float]:
-    """The end of a piece and the beginning of another, where none meet."""
+    """Return how far the end of a piece is from the beginning of another, in sigma, then in k."""
     assert before.k is not None and after.k is not None
     return abs(_sigma(before, -1) - _sigma(after)), math.dist(before.k[-1], after.k[0])
 
@@ -139,7 +143,10 @@ def _components(piece: Piece) -> tuple[Expr, ...]:
 
 
 def _double_points(curve: PlaneCurve, low: Expr, high: Expr) -> list[tuple[Expr, Expr]]:
-    """(t, sigma) of every double point over the range: common roots in sigma at roots of resultants in t."""
+    """Return (t, sigma) for every double point over the range.
+
+    The t are roots of resultants, the sigma common roots there, from a common divisor over the field of t.
+    """
     x, t = curve.place
     found: list[tuple[Expr, Expr]] = []
 

@@ -1,4 +1,4 @@
-"""Where the stability of a permanent rotation in a field may change over a range, as algebraic numbers."""
+"""Algebraic numbers at which the stability of a permanent rotation in a field may change, by resultants."""
 from collections.abc import Iterator, Sequence
 from typing import Any, NamedTuple
 
@@ -21,7 +21,10 @@ Vector = list[fmpq_mpoly]
 
 
 class Direction(NamedTuple):
-    """k = (across + ALONG kernel)/under on a component of a curve, of one rotation (kernel = 0) or of two."""
+    """The direction k = (across + ALONG kernel)/under on a component of a curve.
+
+    It is that of one rotation (kernel = 0), or of two.
+    """
 
     across: Vector
     kernel: Vector
@@ -29,7 +32,7 @@ class Direction(NamedTuple):
 
     @property
     def infinite(self) -> Vector:
-        """What is 0 where this says nothing of two rotations."""
+        """What vanishes where this direction says nothing about two rotations."""
         return [self.under, dot(self.kernel, self.kernel)] if any(self.kernel) else []
 
     @property
@@ -40,10 +43,11 @@ class Direction(NamedTuple):
 
 def changes(curve: PlaneCurve, pencil: Pencil, inertia: Matrix, rotor: Matrix, curved: Matrix,
             omega: Expr) -> Iterator[tuple[Expr, str]]:
-    """(value, kind) where q or the discriminant p² − 4q of the spectrum may vanish on a curve of rotations.
+    """Yield (value, kind) where q or the discriminant p² − 4q of the spectrum may vanish on a curve.
 
-    q has the sign of det of the second variation. With p and q as polynomials in k, sigma and the name, and k
-    of the component F = 0 in sigma and the name, these values are roots of a resultant with F.
+    q has the sign of the determinant of the second variation. With p and q as polynomials in k, sigma and the
+    name, and k that of the component F = 0 in sigma and the name, these values are roots of a resultant with
+    F.
 
     Parameters
     ----------
@@ -76,7 +80,10 @@ def changes(curve: PlaneCurve, pencil: Pencil, inertia: Matrix, rotor: Matrix, c
 
 
 def _directions(ring: Ring, pencil: Pencil, F: fmpq_mpoly, sigma: int) -> Iterator[Direction]:
-    """k on F = 0: adj(N) b/det N; or where N has a kernel at every value, and b no part in it, any part."""
+    """Yield k on F = 0: adj(N) b/det N, or any part in the kernel of N if b has none in it.
+
+    The second holds if N has a kernel at every value on the component.
+    """
     N = [[ring.numerator(x) for x in row] for row in pencil.matrix.tolist()]
     b = [ring.numerator(x) for x in pencil.vector]
     minors = adjugate(N)
@@ -92,7 +99,7 @@ def _directions(ring: Ring, pencil: Pencil, F: fmpq_mpoly, sigma: int) -> Iterat
 
 
 def _inserted(ring: Ring, polynomial: fmpq_mpoly, k: Direction, degree: int) -> fmpq_mpoly:
-    """A polynomial of a degree in k, times that power of what is under k."""
+    """Insert k into a polynomial of a degree in k, times that power of what is under k."""
     places, s = [ring.generators.index(x) for x in DIRECTION], ring.gens[ALONG]
     parts = [[(x + s * e) ** n for n in range(degree + 1)] for x, e in zip(k.across, k.kernel)]
     under = [k.under**n for n in range(degree + 1)]
@@ -102,7 +109,7 @@ def _inserted(ring: Ring, polynomial: fmpq_mpoly, k: Direction, degree: int) -> 
 
 
 def _norm(ring: Ring, margin: fmpq_mpoly, k: Direction) -> fmpq_mpoly:
-    """What vanishes where the margin does for either sign of ALONG, or k is not finite."""
+    """Return what vanishes where the margin does for either sign of ALONG, or k is not finite."""
     if not k.infinite:
         return margin
     place, size = ring.generators.index(ALONG), dot(k.kernel, k.kernel)

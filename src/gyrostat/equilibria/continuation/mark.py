@@ -1,4 +1,4 @@
-"""A value of a name at which relative equilibria meet or change."""
+"""The record of a value of a name at which relative equilibria meet or change."""
 from dataclasses import dataclass
 
 from sympy import Expr
@@ -11,11 +11,11 @@ from ...notation import Stored
 class Mark(Shown, Stored):
     """A value of the free name at which relative equilibria meet or change, and where.
 
-    Its kind says what happens; where branches meet between the poles "at fixed rate" or "on a level", it
-    starts with "fold", "pitchfork", "crossing" or "isolated". Of permanent rotations it is that of the
-    degenerate one: "fold", "pitchfork", "umbilic" (a fold and a pitchfork in one), "circle leaves an axis" of
-    a body of revolution, "circle at this value alone" or "sphere at this value alone"; and of one in a field
-    whose stability changes and that meets no other "singular form", as where C1 turns along omega, or
+    Its kind says what happens. If branches meet between the poles "at fixed rate" or "on a level", it starts
+    with "fold", "pitchfork", "crossing" or "isolated". For permanent rotations it is the kind of the
+    degenerate one: "fold", "pitchfork", "umbilic" (a fold and a pitchfork in one), "circle leaves an axis"
+    for a body of revolution, "circle at this value alone" or "sphere at this value alone". If a rotation in a
+    field changes its stability and meets no other, it is "singular form", as where C1 turns along omega, or
     "frequencies meet".
 
     Parameters
@@ -26,22 +26,24 @@ class Mark(Shown, Stored):
     value : Expr
         exact
     k3 : Expr or None
-        None of a free gyrostat; as nu, momentum and k exact, but where stability changes without a meeting
+        None for a free gyrostat; as nu, momentum and k it is exact, unless stability changes without a
+        meeting
     nu : Expr or None
-        of a free gyrostat: ω = ν M
+        for a free gyrostat: ω = ν M
     momentum : tuple of Expr, shape (3,), or None
-        of a free gyrostat: M
+        for a free gyrostat: M
     k : tuple of Expr, shape (3,), or None
-        of a body in a field that is not of revolution
+        for a body in a field that is not of revolution
     changes : bool or None
         whether stability changes along a branch; where U is infinite it may, with no equilibrium between;
-        None where it was not asked, as where rotations meet
+        None if it was not asked, as where rotations meet
 
     Examples
     --------
     >>> import gyrostat as gs
     >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
-    >>> point = gs.bifurcation_points(top, values={"I1": 1, "l": 0, "m0": 1}, name="pi3_0")[0]
+    >>> numbers = {"I1": 1, "l": 0, "m0": 1}
+    >>> point = gs.bifurcation_points(top, "pi3_0", numbers)[0]
     >>> point.kind, point.value, point.k3
     ('precessions leave E1', -2, 1)
     """

@@ -1,6 +1,6 @@
-"""Where relative equilibria meet, as equations.
+"""The equations of the places at which relative equilibria meet.
 
-Of a body of revolution E3 leaves E1 or E2, and tilts meet; of a free gyrostat permanent rotations do.
+For a body of revolution E3 leaves E1 or E2, and tilts meet; for a free gyrostat permanent rotations do.
 """
 from contextlib import suppress
 from dataclasses import dataclass
@@ -24,17 +24,17 @@ from .free_meeting_equations import loci_of_rotations
 
 @dataclass(frozen=True, repr=False)
 class Bifurcation(Shown, Stored):
-    """Equations of one kind of bifurcation.
+    """The equations of one kind of bifurcation.
 
     Parameters
     ----------
     kind : str
         a key of KINDS, which says what happens there
     equations : tuple of Expr
-        vanish there; omega is the rate about the vertical, p_psi is π3 + l; of a free gyrostat M is the
+        vanish there; omega is the rate about the vertical, p_psi is π3 + l; for a free gyrostat M is the
         length of (M1, M2, M3)
     at : Expr
-        the k3 at which derivatives of U are taken; of a free gyrostat ν, ω = ν M
+        the k3 at which derivatives of U are taken; for a free gyrostat ν, ω = ν M
 
     Examples
     --------
@@ -52,10 +52,10 @@ class Bifurcation(Shown, Stored):
 
 @checked
 def bifurcations(scene: System) -> tuple[Bifurcation, ...]:
-    """The bifurcations of the relative equilibria of a scene, as equations.
+    """Return the bifurcations of the relative equilibria of a scene, as equations.
 
-    Of a free gyrostat with l on a principal axis or in a principal plane in closed form; of any other M and ν
-    are parameters.
+    For a free gyrostat with l on a principal axis or in a principal plane they are in closed form; for any
+    other one M and ν are parameters.
 
     Parameters
     ----------
@@ -80,14 +80,24 @@ def bifurcations(scene: System) -> tuple[Bifurcation, ...]:
     Examples
     --------
     >>> import gyrostat as gs
-    >>> for b in gs.bifurcations(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential()))[:5]:
-    ...     print(b.kind, *b.equations, sep=": ")
-    E3 leaves E1: I1*omega**2 - I3*omega**2 + dU - l*omega
-    E3 leaves E2: -I1*omega**2 + I3*omega**2 + dU - l*omega
-    fold at fixed rate: I1*k3*omega**2 - I3*k3*omega**2 + dU - l*omega: I1*omega**2 - I3*omega**2 + d2U
-    precessions leave E1: 4*I1*dU - l**2 - 2*l*pi3_0 - pi3_0**2
-    precessions leave E2: -4*I1*dU - l**2 - 2*l*pi3_0 - pi3_0**2
-    >>> for b in gs.bifurcations(gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, gs.symbol("l"))))):
+    >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())
+    >>> for b in gs.bifurcations(top)[:5]:
+    ...     print(b.kind)
+    ...     for equation in b.equations:
+    ...         print("   ", equation)
+    E3 leaves E1
+        I1*omega**2 - I3*omega**2 + dU - l*omega
+    E3 leaves E2
+        -I1*omega**2 + I3*omega**2 + dU - l*omega
+    fold at fixed rate
+        I1*k3*omega**2 - I3*k3*omega**2 + dU - l*omega
+        I1*omega**2 - I3*omega**2 + d2U
+    precessions leave E1
+        4*I1*dU - l**2 - 2*l*pi3_0 - pi3_0**2
+    precessions leave E2
+        -4*I1*dU - l**2 - 2*l*pi3_0 - pi3_0**2
+    >>> free = gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, gs.symbol("l"))))
+    >>> for b in gs.bifurcations(free):
     ...     print(b.kind, *b.equations, b.at, sep=": ")
     pitchfork: -4*M**2 + l**2: 1
     pitchfork: -M**2 + 4*l**2: 1/2
@@ -111,7 +121,7 @@ def bifurcations(scene: System) -> tuple[Bifurcation, ...]:
 
 def insert(scene: System, expression: Expr, at: Expr, numbers: Point, allowed: set[Symbol],
            what: str) -> Expr:
-    """With the derivatives of U at a k3, and numbers for all names but those allowed."""
+    """Insert the derivatives of U at a k3, and numbers for all names but those allowed."""
     assert scene.potential is not None
     jets = {d: scene.potential.value(d).xreplace({K3: at}) for d in expression.free_symbols if jet(d.name)}
     placed = expression.xreplace(jets).xreplace(numbers)
@@ -121,6 +131,6 @@ def insert(scene: System, expression: Expr, at: Expr, numbers: Point, allowed: s
 
 
 def relation_at_rate(scene: System) -> Expr:
-    """U' − ω l + ω² k3 (I1 − I3), the precession without spin about the axis."""
+    """Return U' − ω l + ω² k3 (I1 − I3), which vanishes for the precession without spin about the axis."""
     total = scene.body.moments[2] * OMEGA * K3 + scene.body.gyrostatic_momentum[2]
     return expand(reduce(scene).precession().xreplace({P: total}))

@@ -1,4 +1,4 @@
-"""The values of a name at which relative equilibria of a body of revolution meet, as numbers."""
+"""Finds as numbers the values of a name at which relative equilibria of a body of revolution meet."""
 from collections.abc import Iterator, Mapping
 from typing import Any
 
@@ -25,7 +25,7 @@ from .meeting_equations import bifurcations, insert, relation_at_rate
 
 @checked
 def bifurcation_points(scene: System, name: str, values: Mapping[str, Any]) -> list[Mark]:
-    """The values of one name at which relative equilibria meet, all others being given; exact and complete.
+    """Return the values of one name at which relative equilibria meet, all others given; exact and complete.
 
     Parameters
     ----------
@@ -34,8 +34,8 @@ def bifurcation_points(scene: System, name: str, values: Mapping[str, Any]) -> l
     name : str
         what is left free; a moment is positive
     values : mapping of name to number
-        everything but the name: moments, l, the parameters of U, and omega (fixed rate), pi3_0 (the levels C1
-        = ±(π3 + l) of E1 and E2), or pi3_0 and C1 (a level); of a free gyrostat moments, rotor and M
+        everything but the name: moments, l, the parameters of U, and omega (fixed rate), pi3_0 (the levels
+        C1 = ±(π3 + l) of E1 and E2), or pi3_0 and C1 (a level); for a free gyrostat moments, rotor and M
 
     Returns
     -------
@@ -53,13 +53,19 @@ def bifurcation_points(scene: System, name: str, values: Mapping[str, Any]) -> l
     --------
     >>> import gyrostat as gs
     >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
-    >>> [(b.kind, b.value) for b in gs.bifurcation_points(top, "l", {"I1": 2, "I3": 1, "m0": 3, "omega": 1})]
+    >>> at_rate = {"I1": 2, "I3": 1, "m0": 3, "omega": 1}
+    >>> [(b.kind, b.value) for b in gs.bifurcation_points(top, "l", at_rate)]
     [('E3 leaves E2', 2), ('E3 leaves E1', 4)]
-    >>> [(b.kind, b.value) for b in gs.bifurcation_points(top, "pi3_0", {"I1": 1, "l": 0, "m0": 1})]
-    [('precessions leave E1', -2), ('precessions leave E1', 2)]
+    >>> at_poles = {"I1": 1, "l": 0, "m0": 1}
+    >>> for b in gs.bifurcation_points(top, "pi3_0", at_poles):
+    ...     print(b.kind, b.value)
+    precessions leave E1 -2
+    precessions leave E1 2
     >>> free = gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, gs.symbol("l"))))
-    >>> [(b.kind, b.value, b.nu) for b in gs.bifurcation_points(free, "M", {"l": 1})]
-    [('pitchfork', 1/2, 1), ('pitchfork', 2, 1/2)]
+    >>> for b in gs.bifurcation_points(free, "M", {"l": 1}):
+    ...     print(b.kind, b.value, b.nu)
+    pitchfork 1/2 1
+    pitchfork 2 1/2
     """
     in_one_direction(scene.potential, "bifurcation_points")
     if scene.potential is None:
@@ -91,7 +97,7 @@ def _by_value(found: list[Mark]) -> list[Mark]:
 
 
 def _of_rotations(scene: System, name: str, values: Mapping[str, Any]) -> list[Mark]:
-    """Of a scene without a field."""
+    """Return the values for a scene without a field."""
     numbers = numbers_of_rotations(scene, values, name)
     body, radius, free = at_numbers(scene, numbers).body, numbers.get(LENGTH, LENGTH), symbol(name)
     met = rotations_meet(body, radius, free, rotation_curve(body, radius, free).double)
@@ -99,7 +105,7 @@ def _of_rotations(scene: System, name: str, values: Mapping[str, Any]) -> list[M
 
 
 def positive(scene: System, numbers: Point, free: Symbol, value: Expr) -> bool:
-    """Whether every moment of inertia is positive at a value of a free name."""
+    """Tell whether every moment of inertia is positive at a value of a free name."""
     moments = [m for m in scene.body.moments[1:] if free in m.free_symbols]
     if free.is_positive:
         moments.append(free)

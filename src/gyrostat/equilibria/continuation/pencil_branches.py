@@ -1,6 +1,7 @@
-"""The permanent rotations over a range that a pencil has on a sphere, in doubles, and how they meet.
+"""Follows in doubles the permanent rotations that a pencil has on a sphere over a range, and how they meet.
 
-Of a free body (1 − ν I) M = l, abs(M) given; of a body in a field (omega² I − Q + sigma) k = c − omega l.
+For a free body the pencil is (1 − ν I) M = l with abs(M) given; for a body in a field it is (omega² I − Q +
+sigma) k = c − omega l.
 """
 from abc import ABC, abstractmethod
 from collections.abc import Iterator, Sequence
@@ -31,7 +32,7 @@ PRECISION = 128                                            # bits
 
 
 class Pencil(NamedTuple):
-    """(base + x slope) y = vector with abs(y) = radius; all of it depends on one more name."""
+    """The equations (base + x slope) y = vector, abs(y) = radius; all of them depend on one more name."""
 
     base: Matrix
     slope: Matrix
@@ -41,26 +42,26 @@ class Pencil(NamedTuple):
 
     @property
     def matrix(self) -> Matrix:
-        """base + x slope."""
+        """The matrix base + x slope."""
         return self.base + self.x * self.slope
 
     def at(self, point: Point) -> "Pencil":
-        """With numbers for names."""
+        """Return the pencil with numbers for names."""
         base, slope, vector = (m.applyfunc(lambda e: evaluate(e, point)) for m in self[:3])
         return Pencil(base, slope, vector, evaluate(self.radius, point), self.x)
 
     @property
     def fraction(self) -> tuple[Matrix, Expr]:
-        """adj(matrix) vector and det(matrix), of which y is the quotient."""
+        """The vector adj(matrix) vector and det(matrix), of which y is the quotient."""
         minors = Matrix(adjugate(self.matrix.tolist()))
         return (minors * self.vector).expand(), self.matrix[:, 0].dot(minors[:, 0]).expand()
 
 
 def meetings(pencil: Pencil, root: Expr) -> Iterator[tuple[str, tuple[Expr, ...]]]:
-    """(kind, y) of what meets at a double point x of abs(adj(matrix) vector)² = radius² det(matrix)².
+    """Yield (kind, y) for what meets at a double point x of abs(adj(matrix) vector)² = radius² det(matrix)².
 
-    Where det ≠ 0, y is one vector, hence a fold. At a pole two solutions y ± s e lie on either side of a
-    plane, and meet where s = 0; of a double pole they are a circle.
+    If det ≠ 0 there, y is one vector, hence a fold. At a pole two solutions y ± s e lie on either side of a
+    plane, and meet where s = 0; at a double pole they are a circle.
     """
     above, below = pencil.fraction
     if proved_sign(under := evaluate(below, {pencil.x: root})) != 0:
@@ -80,7 +81,7 @@ def meetings(pencil: Pencil, root: Expr) -> Iterator[tuple[str, tuple[Expr, ...]
 
 
 class PencilBranches(ABC):
-    """Of a Curve of permanent rotations what its pencil says.
+    """What its pencil says about a Curve of permanent rotations.
 
     A kind of scene gives the pencil, the curve of x over the name, its stations, the rotations at a value,
     and what happens at a station.
@@ -91,27 +92,31 @@ class PencilBranches(ABC):
 
     @cached_property
     def changed(self) -> dict[Expr, str]:
-        """What happens at the stations where none meet."""
+        """The stations at which none meet, and what happens there."""
         return {}
 
     @abstractmethod
     def forms(self, t: Rational) -> Sequence[Form]:
-        """Every rotation at a value, exact."""
+        """Return every rotation at a value, exact."""
 
     @abstractmethod
     def x(self, form: Any) -> arb:
-        """Of a rotation."""
+        """Return the x of a rotation."""
 
     @abstractmethod
     def piece(self, label: str, parameter: Array, verdict: Verdict, x: Array, y: Array) -> Piece:
-        """In the words of the scene."""
+        """Return a piece in the words of the scene."""
 
     def alone(self, station: Expr) -> tuple[()]:
-        """None."""
+        """Return no isolated rotations."""
         return ()
 
     def between(self, low: Expr, high: Expr) -> list[Piece]:
-        """Exact at a fraction, from there on in the order of x; in the order of the exact ones."""
+        """Return every rotation between two stations as a piece.
+
+        The rotations are exact at one fraction; from there on they are followed in doubles by the order of x.
+        The pieces come in the order of the exact ones.
+        """
         middle, found = self._at(between(low, high))
         if any(one.decision.pointwise and not one.decision.stable for one in found):       # a resonance there
             middle, found = self._at(between(low, to_sympy(middle)))
@@ -140,7 +145,7 @@ class PencilBranches(ABC):
 
 
 def _points(turned: Array, vectors: Array, radii: Array, at_pole: int) -> list[Array]:
-    """y along a root; where that is a pole, up to three times, y on either side of what is across."""
+    """Return y along a root in doubles; at a pole up to three of them, on either side of what is across."""
     found, along = [], np.zeros(3)
     for matrix, vector, radius in zip(turned, vectors, radii):
         if not at_pole:
@@ -160,7 +165,8 @@ def _points(turned: Array, vectors: Array, radii: Array, at_pole: int) -> list[A
 
 
 def _nodes(a: Expr, b: Expr, first: bool, last: bool) -> list[Fraction]:
-    """Fractions between two numbers; the first and the last beside those at which rotations may meet."""
+    """Return fractions between two numbers; the outer ones lie beside ends at which rotations may meet.
+    """
     low, high = (fraction_of(ball(t, PRECISION).mid()) for t in (a, b))
     parts = (1 - np.cos(np.pi * np.arange(1, NODES) / NODES)) / 2
     inside = [Fraction(first, NEAR), *map(Fraction, parts.tolist()), 1 - Fraction(last, NEAR)]

@@ -1,4 +1,4 @@
-"""What is found along a name: pieces of one verdict, and marks where something happens, a Continuation."""
+"""The records of what is found along a name: pieces of one verdict, and a Continuation of them with marks."""
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -18,29 +18,30 @@ class Piece:
     Parameters
     ----------
     label : str
-        as of a RelativeEquilibrium
+        that of the RelativeEquilibrium
     parameter : array, shape (n,)
         n = 1: an isolated point
     verdict : Verdict
-        exact, between its ends; of E3 modulo the spin
+        exact, between its ends; for E3 modulo the spin
     k3 : array, shape (n,), or None
-        None of a free body
+        None for a free body
     k : array, shape (n, 3), or None
-        of a body in a field that is not of revolution; of a circle of rotations one of them
+        for a body in a field that is not of revolution; on a circle of rotations one of them
     momentum : array, shape (n, 3), or None
-        of a free body: M; of a circle of rotations one of them
+        for a free body: M; on a circle of rotations one of them
     nu : array, shape (n,), or None
-        of a free body: ω = ν M
+        for a free body: ω = ν M
     sigma : array, shape (n,), or None
-        where there is a k: ∇U = omega M + sigma k
+        if there is a k: ∇U = omega M + sigma k
 
     Examples
     --------
     >>> import gyrostat as gs
     >>> U = gs.general_potential(lambda k1, k2, k3: k1 + k2 + k3)
     >>> scene = gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 0)), U)
-    >>> for piece in gs.continuation(scene, "omega", (1, "3/2"), {}).pieces:
-    ...     print(piece.verdict.name, piece.parameter[0], piece.parameter[-1])
+    >>> found = gs.continuation(scene, "omega", (1, "3/2"), {})
+    >>> for piece in found.pieces:
+    ...     print(piece.verdict.name, *piece.parameter[[0, -1]])
     STABLE 1.0 1.5
     UNSTABLE 1.0 1.5
     """
@@ -56,7 +57,7 @@ class Piece:
 
 
 def joined(parts: Sequence[Piece]) -> Piece:
-    """Of pieces that go on from one to the next."""
+    """Return one piece from pieces that go on from one to the next."""
     first, *rest = parts
     arrays = {name: np.concatenate([value, *(getattr(piece, name)[1:] for piece in rest)])
               for name, value in vars(first).items() if isinstance(value, np.ndarray)}
@@ -70,24 +71,31 @@ class Continuation:
     Parameters
     ----------
     pieces : list of Piece
-        each of one verdict; of permanent rotations none goes on through a value where two of them meet
+        each of one verdict; a piece of permanent rotations ends at a value at which two of them meet
     marks : list of Mark
-        every change of stability, every meeting and every end, exact and by value; of a rotation that changes
+        every change of stability, every meeting and every end, exact and by value; if a rotation changes
         where others meet, or at an end of the range, the meeting alone
 
     Examples
     --------
     >>> import gyrostat as gs
     >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
-    >>> found = gs.continuation(top, "omega", (1, 3), {"I1": 2, "I3": 1, "l": 0, "m0": 1})
+    >>> numbers = {"I1": 2, "I3": 1, "l": 0, "m0": 1}
+    >>> found = gs.continuation(top, "omega", (1, 3), numbers)
     >>> len(found.pieces) > 2
     True
-    >>> spun_up = gs.assemble(gs.Gyrostat((1, 2, 3), ("1/20", "1/10", gs.symbol("l3"))))
+    >>> rotor = "1/20", "1/10", gs.symbol("l3")
+    >>> spun_up = gs.assemble(gs.Gyrostat((1, 2, 3), rotor))
     >>> found = gs.continuation(spun_up, "l3", (0, 1), {"M": 1})
     >>> [(mark.kind, round(float(mark.value), 4)) for mark in found.marks]
     [('fold', 0.2036)]
-    >>> [piece.verdict.name for piece in found.pieces if piece.parameter[-1] == 1]
-    ['STABLE', 'UNSTABLE', 'STABLE', 'STABLE']
+    >>> for piece in found.pieces:
+    ...     if piece.parameter[-1] == 1:
+    ...         print(piece.verdict.name)
+    STABLE
+    UNSTABLE
+    STABLE
+    STABLE
     """
 
     pieces: list[Piece]

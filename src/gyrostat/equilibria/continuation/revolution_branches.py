@@ -1,4 +1,4 @@
-"""The branches of E1, E2 and E3 of a body of revolution over a range, at a fixed rotor and rate."""
+"""Branches of E1, E2 and E3 of a body of revolution over a range, at a fixed rotor and rate."""
 from collections.abc import Iterator, Mapping
 from fractions import Fraction
 from functools import cache
@@ -71,21 +71,21 @@ class RevolutionBranches:
 
     @cached_property
     def at(self) -> dict[Expr, Station]:
-        """The stations by value."""
+        """The stations, by their values."""
         other = (*self.lines, *self.poles[1], *self.poles[-1])
         return {station.t: station for station in stations(self.curve, self.points, other)}
 
     @property
     def stations(self) -> list[Expr]:
-        """The values."""
+        """The values of the stations."""
         return list(self.at)
 
     def placed(self, t: Expr | Fraction) -> dict[str, Any]:
-        """All numbers."""
+        """Return all numbers, with a value for the free name."""
         return {**self.values, self.name: t}
 
     def between(self, low: Expr, high: Expr) -> list[Piece]:
-        """The tilts from below, then E1 and E2."""
+        """Return the pieces of the tilts from below, then those of E1 and E2."""
         middle = between(low, high)
         found = revolution_forms(self.scene, self.placed(middle))
         tilts = [form.known().verdict for form in reversed(found) if form.label == E3.label]
@@ -99,7 +99,7 @@ class RevolutionBranches:
                   for s, family in POLES.items() for form in found if form.label == family.label)]
 
     def through(self, station: Expr, before: Pieces, after: Pieces) -> Iterator[tuple[int, int]]:
-        """Tilts that come to no point of the station, and E1 and E2 where nothing changes."""
+        """Yield the pairs of tilts that come to no point of the station, and E1 and E2 if nothing changes."""
         sides = []
         for which, pieces in (("left", before), ("right", after)):
             held = {n for place in self.at[station].places for n in getattr(place, which)}
@@ -112,9 +112,9 @@ class RevolutionBranches:
                 yield i, j
 
     def changed(self, s: int, t: Expr, *sides: Pieces | None) -> bool | None:
-        """Whether the verdict of E1 or E2 changes at a value, or is another there.
+        """Tell whether the verdict of E1 or E2 changes at a value, or is another there.
 
-        None where U is infinite.
+        None if U is infinite there.
         """
         verdicts: set[Verdict | None] = {
             next((piece.verdict for piece in side if piece.label == POLES[s].label), None)
@@ -125,7 +125,7 @@ class RevolutionBranches:
         return None if None in verdicts else len(verdicts) > 1
 
     def traced(self, low: Expr, high: Expr, count: int) -> list[tuple[Array, Array]]:
-        """The tilts between two stations, each with its ends."""
+        """Return the tilts between two stations, each with its ends, in doubles."""
         a, b = float(low), float(high)
         if not count:
             return []
@@ -147,7 +147,7 @@ class RevolutionBranches:
         return [(x, k3[:, n]) for n in range(count)]
 
     def limits(self, t: Expr, near: Fraction, count: int, side: str) -> list[float]:
-        """Where the tilts on one side of a value come to."""
+        """Return where the tilts on one side of a value come to."""
         limits = [float(root.mid()) for root in self.curve.roots(near, count)]
         for place in self.at[t].places if t in self.at else ():
             for n in getattr(place, side):
@@ -155,7 +155,7 @@ class RevolutionBranches:
         return limits
 
     def alone(self, station: Expr) -> Iterator[Piece]:
-        """Every tilt at one value, and single ones."""
+        """Yield every tilt at one value as a piece, and single ones."""
         if station in self.lines:
             for form in revolution_forms(self.scene, self.placed(station)):
                 if form.label == E3.label and form.every:
@@ -168,7 +168,7 @@ class RevolutionBranches:
                             np.array([float(place.x)]))
 
     def verdict(self, t: Expr, place: Place, beside_it: list[Verdict]) -> Verdict:
-        """Of E3 at a place."""
+        """Return the verdict of E3 at a place."""
         if (t, place.x) in self.margins:
             return critical_tilt(self.scene, place.x, self.placed(t))
         if beside_it:
@@ -177,7 +177,7 @@ class RevolutionBranches:
         return min(alone, key=lambda form: abs(float(form.k3 - place.x))).known().verdict
 
     def marks(self, station: Expr, before: Pieces | None, after: Pieces | None) -> Iterator[Mark]:
-        """Of E1 and E2, then of the tilts."""
+        """Yield the marks of E1 and E2, then those of the tilts."""
         for s, family in POLES.items():
             if station in self.poles[s] and (
                     changed := self.changed(s, station, before, after)) is not False:

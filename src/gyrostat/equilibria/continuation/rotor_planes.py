@@ -1,4 +1,4 @@
-"""Where permanent rotations of a free gyrostat meet, in a plane of two components of its rotor."""
+"""Finds where permanent rotations of a free gyrostat meet, in a plane of two components of its rotor."""
 from itertools import pairwise
 
 import numpy as np
@@ -14,8 +14,9 @@ HALVINGS = 36                                              # to the least value 
 
 
 def fold_squares(body: Gyrostat, radius: Expr, held: int) -> tuple[Expr, Expr]:
-    """The squares of the free components at a fold with ν; both are linear in Σ M² = abs(M)² and
-    Σ I M²/(1 − ν I) = 0.
+    """Return the squares of the two free components of the rotor at a fold with ν.
+
+    Both are linear in Σ M² = abs(M)² and Σ I M²/(1 − ν I) = 0.
     """
     i, j = (n for n in range(3) if n != held)
     turned = [1 - NU * moment for moment in body.moments]
@@ -27,7 +28,7 @@ def fold_squares(body: Gyrostat, radius: Expr, held: int) -> tuple[Expr, Expr]:
 
 
 def fold_intervals(body: Gyrostat, radius: Expr, held: int) -> list[tuple[Expr, Expr]]:
-    """Those of ν, exact, on which there is a fold."""
+    """Return the intervals of ν, with exact ends, on which there is a fold."""
     squares = fold_squares(body, radius, held)
     ends = {root for square in squares for root in real_roots(square, NU) or ()}
     ends |= {1 / moment for moment in body.moments}
@@ -40,10 +41,10 @@ def fold_intervals(body: Gyrostat, radius: Expr, held: int) -> list[tuple[Expr, 
 
 
 def numbers_of_rotations_over(moments: Array, rotor: list[Array], radius: float) -> Array:
-    """How many rotations there are, in doubles, where no component of the rotor is 0.
+    """Return how many rotations there are, in doubles, if no component of the rotor is 0.
 
-    Σ l²/(1 − ν I)² is convex between two poles and monotone outside: 2, and 2 for either gap in which it
-    falls below abs(M)².
+    Σ l²/(1 − ν I)² is convex between two poles and monotone outside: there are 2 rotations, and 2 more for
+    either gap in which the sum falls below abs(M)².
     """
     poles, count = np.sort(1 / moments), 2
     for low, high in pairwise(poles):

@@ -1,4 +1,4 @@
-"""The values of a parameter where the stability of E1, E2 and E3 may change, at a fixed rotor and rate."""
+"""The values of a parameter at which the stability of E1, E2 and E3 may change, at a fixed rotor and rate."""
 from collections.abc import Iterable, Iterator
 
 from sympy import Expr, S, Symbol
@@ -21,12 +21,12 @@ HIGHEST = 24
 
 
 def within(t: Expr, low: Expr, high: Expr) -> bool:
-    """Whether a value is in a range, its ends included."""
+    """Tell whether a value is in a range, its ends included."""
     return sign_of_constant(t - low) != -1 and sign_of_constant(high - t) != -1
 
 
 def admissible(positive: Iterable[Expr], numbers: Point, free: Symbol, low: Expr, high: Expr) -> None:
-    """Refuse a range in which what is positive of a body is not."""
+    """Refuse a range in which a moment of inertia, or another positive number of a body, is not positive."""
     for moment in dict.fromkeys(m for m in positive if free in m.free_symbols):
         placed = moment.xreplace(numbers)
         if placed.free_symbols - {free}:
@@ -40,8 +40,9 @@ def admissible(positive: Iterable[Expr], numbers: Point, free: Symbol, low: Expr
 
 
 def margin_at_rate(scene: System, numbers: Point, free: Symbol) -> tuple[Expr, Expr]:
-    """−g''/2 at E3 in k3 and the free name, and (1 − k3²) U, whose higher derivatives are those of g but for
-    a factor.
+    """Return −g''/2 at E3 in k3 and the free name, and (1 − k3²) U.
+
+    The higher derivatives of the second are those of g but for a factor.
     """
     (level,) = [b for b in bifurcations(scene) if b.kind == "fold on a level"]
     spin = scene.body.moments[2] * OMEGA * K3 + scene.body.gyrostatic_momentum[2]
@@ -51,9 +52,9 @@ def margin_at_rate(scene: System, numbers: Point, free: Symbol) -> tuple[Expr, E
 
 
 def margins_vanish(curve: PlaneCurve, margin: Expr, held: Expr) -> Iterator[tuple[Expr, Expr]]:
-    """Where g'' vanishes on E3.
+    """Yield the places of E3 at which g'' vanishes.
 
-    On a component on which it does everywhere, the first derivative of g that does not.
+    On a component on which it vanishes everywhere, the first derivative of g that does not is taken.
     """
     for component in curve.components:
         expression, n = margin, 2
@@ -65,7 +66,8 @@ def margins_vanish(curve: PlaneCurve, margin: Expr, held: Expr) -> Iterator[tupl
 
 
 def changes_at_pole(scene: System, numbers: Point, free: Symbol, s: int) -> list[Expr]:
-    """Where the first coefficient of g at E1 or E2 that is not 0 everywhere vanishes or is infinite."""
+    """Return where the first coefficient of g at E1 or E2 that is not 0 everywhere vanishes or is infinite.
+    """
     spin = {symbol("pi3_0"): s * scene.body.moments[2] * OMEGA}
     try:
         eq = POLES[s].of(scene)

@@ -1,4 +1,4 @@
-"""The amended potential: what a permanent rotation on a level of C1 is a critical point of."""
+"""The amended potential on a level of C1, whose critical points are the permanent rotations."""
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
@@ -44,7 +44,7 @@ class CriticalPoint(Shown, Stored):
 
     @cached_property
     def kind(self) -> str:
-        """minimum, saddle or maximum; degenerate where the second variation is."""
+        """The kind: minimum, saddle or maximum; degenerate if the second variation is."""
         trace, determinant = self.rotation.form.signs
         if not determinant:
             return "degenerate"
@@ -52,7 +52,7 @@ class CriticalPoint(Shown, Stored):
 
     @cached_property
     def value(self) -> Expr:
-        """U_c there, exact [M L²/T²]: U + omega² k·Ik/2."""
+        """The value of U_c there, exact [M L²/T²]: U + omega² k·Ik/2."""
         scene, k = self.rotation.scene, Matrix(self.rotation.directions[0])
         assert scene.potential is not None
         U = evaluate(scene.potential.expression, dict(zip(DIRECTIONS, k)))
@@ -61,7 +61,7 @@ class CriticalPoint(Shown, Stored):
 
 @dataclass(frozen=True, repr=False)
 class AmendedPotential(Shown, Stored):
-    """U_c(k) = U + (C1 − l·k)²/(2 k·Ik) on abs(k) = 1, of a body in a field.
+    """The amended potential U_c(k) = U + (C1 − l·k)²/(2 k·Ik) on abs(k) = 1, of a body in a field.
 
     Parameters
     ----------
@@ -71,7 +71,8 @@ class AmendedPotential(Shown, Stored):
     --------
     >>> import gyrostat as gs
     >>> moments = tuple(map(gs.symbol, ("I1", "I2", "I3")))
-    >>> scene = gs.assemble(gs.Gyrostat(moments, (0, 0, gs.symbol("l"))), gs.uniform_field())
+    >>> body = gs.Gyrostat(moments, (0, 0, gs.symbol("l")))
+    >>> scene = gs.assemble(body, gs.uniform_field())
     >>> print(gs.amended_potential(scene))
     U_c = (l k₃ − C₁)²/(2 (I₁ k₁² + I₂ k₂² + I₃ k₃²)) + m₀ k₃
     """
@@ -80,7 +81,7 @@ class AmendedPotential(Shown, Stored):
 
     @cached_property
     def expression(self) -> Expr:
-        """In k1, k2, k3 and C1 [M L²/T²]."""
+        """The expression in k1, k2, k3 and C1 [M L²/T²]."""
         refuse_as_level(self.scene, C1.name)
         U, body, k = self.scene.potential, self.scene.body, Matrix(DIRECTIONS)
         assert U is not None
@@ -89,9 +90,9 @@ class AmendedPotential(Shown, Stored):
 
     @checked
     def critical_points(self, values: Mapping[str, Any]) -> list[CriticalPoint]:
-        """All of them on a level of C1, in the order of k3.
+        """Return all critical points on a level of C1, in the order of k3.
 
-        Where none is degenerate, minima − saddles + maxima = 2.
+        If none is degenerate, minima − saddles + maxima = 2 (Poincaré-Hopf on the sphere).
 
         Parameters
         ----------
@@ -133,10 +134,10 @@ class AmendedPotential(Shown, Stored):
 
 @checked
 def amended_potential(scene: System) -> AmendedPotential:
-    """U_c(k) = U + (C1 − l·k)²/(2 k·Ik) on abs(k) = 1, C1 = M·k.
+    """Return the amended potential U_c(k) = U + (C1 − l·k)²/(2 k·Ik) on abs(k) = 1, with C1 = M·k.
 
     Its critical points are the permanent rotations ω = omega k with omega = (C1 − l·k)/(k·Ik). At a minimum
-    one is stable, at a saddle unstable; at a maximum only gyroscopic forces can hold it.
+    the rotation is stable, at a saddle unstable; at a maximum only gyroscopic forces can stabilise it.
 
     Parameters
     ----------
@@ -160,7 +161,8 @@ def amended_potential(scene: System) -> AmendedPotential:
     --------
     >>> import gyrostat as gs
     >>> U = gs.general_potential(lambda k1, k2, k3: k1)
-    >>> gs.amended_potential(gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 1)), U)).expression
+    >>> scene = gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 1)), U)
+    >>> gs.amended_potential(scene).expression
     k1 + (C1 - k3)**2/(2*k1**2 + 4*k2**2 + 6*k3**2)
     """
     in_one_direction(scene.potential, "amended_potential")

@@ -1,4 +1,4 @@
-"""An admissible arc of Staude's cone, or of the curve of a gyrostat: cut, decided and named in one way."""
+"""Cuts, decides and names an admissible arc of Staude's cone, or of the curve of a gyrostat."""
 from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction
@@ -26,7 +26,7 @@ from .rate_curves import RateCurve
 
 
 class Piece(NamedTuple):
-    """A part of an arc, its ends left out, with one verdict."""
+    """A part of an arc with one verdict, without its ends."""
 
     low: Expr
     high: Expr
@@ -45,20 +45,26 @@ class Arc(Shown, Stored):
     ----------
     curve : ConeCurve or RateCurve
     strand : Strand
-        which branch of it, between which values of the parameter
+        which branch of the curve, between which values of the parameter
 
     Examples
     --------
     >>> import gyrostat as gs
     >>> U = gs.general_potential(lambda k1, k2, k3: k1 + k2 + k3)
-    >>> arc = gs.staude_cone(gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 0)), U)).arcs({})[0]
+    >>> scene = gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 0)), U)
+    >>> arc = gs.staude_cone(scene).arcs({})[0]
     >>> arc.parameter, arc.low, arc.high, arc.k[0]
     (tau, -oo, -3, 1/(omega**2*(tau + 1)))
-    >>> [(piece.low, piece.high, piece.decision.verdict.name) for piece in arc.pieces][-1][1:]
+    >>> last = arc.pieces[-1]
+    >>> last.high, last.decision.verdict.name
     (-3, 'STABLE')
-    >>> arcs = gs.staude_cone(gs.assemble(gs.Gyrostat((1, 2, 3), (0, "1/2", 1)), U)).arcs({})
-    >>> [(str(arc.low.evalf(6)), arc.high, arc.pieces[0].decision.verdict.name) for arc in arcs][4:6]
-    [('0.946191', oo, 'STABLE'), ('-oo', oo, 'STABLE')]
+    >>> scene = gs.assemble(gs.Gyrostat((1, 2, 3), (0, "1/2", 1)), U)
+    >>> arcs = gs.staude_cone(scene).arcs({})
+    >>> for arc in arcs[4:6]:
+    ...     verdict = arc.pieces[0].decision.verdict.name
+    ...     print(arc.low.evalf(6), arc.high, verdict)
+    0.946191 oo STABLE
+    -oo oo STABLE
     >>> arcs[5].rotation(0).directions[0]
     (-sqrt(3)/3, -sqrt(3)/3, -sqrt(3)/3)
     """
@@ -68,12 +74,12 @@ class Arc(Shown, Stored):
 
     @property
     def scene(self) -> System:
-        """At its numbers."""
+        """The scene at given numbers."""
         return self.curve.scene
 
     @property
     def parameter(self) -> Symbol:
-        """tau or rho on Staude's cone; with a rotor omega."""
+        """The parameter: tau or rho on Staude's cone; with a rotor omega."""
         return self.curve.parameter
 
     @property
@@ -83,26 +89,27 @@ class Arc(Shown, Stored):
 
     @property
     def low(self) -> Expr:
-        """The parameter at its beginning, −oo where it has none."""
+        """The parameter at its beginning, −oo if it has none."""
         return self.strand.spans[0].low
 
     @property
     def high(self) -> Expr:
-        """The parameter at its end, oo where it has none."""
+        """The parameter at its end, oo if it has none."""
         return self.strand.spans[-1].high
 
     @property
     def k(self) -> tuple[Expr, ...]:
-        """In the parameter, omega and, with a rotor, sigma or a component of k, so that abs(k) = 1."""
+        """The direction k in the parameter, omega and, with a rotor, sigma or a component of k; abs(k) = 1.
+        """
         return self.curve.k
 
     @property
     def omega_squared(self) -> Expr:
-        """In the parameter [1/T²]."""
+        """The square of the rate in the parameter [1/T²]."""
         return self.curve.omega_squared
 
     def rotation(self, at: Any) -> RelativeEquilibrium:
-        """The permanent rotation at a value of the parameter, exact; without a rotor that of positive rate.
+        """Return the permanent rotation at a value, exact; without a rotor that of positive rate.
 
         Parameters
         ----------
@@ -123,7 +130,7 @@ class Arc(Shown, Stored):
 
     @checked
     def near(self, at: Fraction) -> Near:
-        """The same in doubles.
+        """Return the permanent rotation at a value of the parameter in doubles.
 
         Parameters
         ----------
@@ -137,7 +144,7 @@ class Arc(Shown, Stored):
         return self.curve.near(self._span(Rational(at.numerator, at.denominator)), at)
 
     def _span(self, at: Expr) -> Span:
-        """In which a value lies, or at whose end, inside the arc."""
+        """Return the span in which a value lies, or at whose end inside the arc."""
         for span in self.strand.spans:
             if inside([at], span.low, span.high) or at == span.high != self.high:
                 return span
@@ -146,15 +153,16 @@ class Arc(Shown, Stored):
 
     @cached_property
     def circles(self) -> tuple[RelativeEquilibrium, ...]:
-        """Where it crosses a circle of rotations of one rate: of a body with equal moments, with a rotor."""
+        """The circles of rotations of one rate that it crosses: if two moments are equal, with a rotor."""
         return tuple(RelativeEquilibrium(form) for span in self.strand.spans[:-1] if span.high in
                      self.curve.through and (form := self.curve.at(span, span.high)).circle is not None)
 
     @cached_property
     def ends(self) -> tuple[End, End]:
-        """Where the parameter goes to low and to high.
+        """The limits for the parameter to low and to high.
 
-        A principal axis, omega → ±∞; without a rotor ±c, omega → 0; with one where two rotations become one.
+        They are a principal axis, omega → ±∞; without a rotor ±c, omega → 0; with one the place where two
+        rotations become one.
         """
         first, last = self.strand.spans[0], self.strand.spans[-1]
         return (self.curve.end(first, first.low, self.strand.first, 1),
@@ -162,21 +170,25 @@ class Arc(Shown, Stored):
 
     @cached_property
     def folds(self) -> tuple[Expr, ...]:
-        """Where omega is greatest or least inside the arc: two rotations become one; with a rotor it ends."""
+        """The values at which omega is greatest or least inside the arc: there two rotations become one.
+
+        With a rotor the arc ends at such a place, and there are none inside.
+        """
         return tuple(inside(self.curve.folds, self.low, self.high))
 
     @cached_property
     def boundaries(self) -> tuple[Expr, ...]:
-        """Where the verdict changes, exact: the amended potential or the spectrum does."""
+        """The values at which the verdict changes, exact: the amended potential or the spectrum does.
+        """
         return tuple(two.low for one, two in pairwise(self.pieces)
                      if one.decision.reason != two.decision.reason)
 
     @cached_property
     def pieces(self) -> tuple[Piece, ...]:
-        """The parts of one verdict each, in the order of the parameter; but for single points inside them.
+        """The parts of one verdict each, in the order of the parameter, except for single points inside them.
 
-        What gyroscopic forces hold is split at resonances and, without a rotor, where D4 is 0; the verdict of
-        such a point, and with a rotor of one where D4 is 0, is that of its rotation.
+        A gyroscopically stabilised part is split at resonances and, without a rotor, where D4 is 0; the
+        verdict of such a point, and with a rotor of one where D4 is 0, is that of its rotation.
         """
         pieces: list[Piece] = []
         before: tuple[Decision, Signs] | None = None
@@ -188,7 +200,8 @@ class Arc(Shown, Stored):
         return tuple(pieces)
 
     def _stretches(self) -> Iterator[tuple[Expr, Expr, Decision, Signs]]:
-        """Between values at which something may change: what is decided, and in windows resonance signs."""
+        """Yield what is decided between values at which it may change, with resonance signs in windows.
+        """
         for span in self.strand.spans:
             critical = inside(self.curve.critical, span.low, span.high)
             for low, high in pairwise([span.low, *critical, span.high]):
@@ -199,7 +212,10 @@ class Arc(Shown, Stored):
                     yield low, high, decision, ()
 
     def _window(self, span: Span, low: Expr, high: Expr) -> Iterator[tuple[Expr, Expr, Decision, Signs]]:
-        """What gyroscopic forces hold, between cuts; decided once between resonances, and zeros of D4."""
+        """Yield the parts of a gyroscopically stabilised stretch between cuts.
+
+        It is decided once between two resonances, and, without a rotor, between two zeros of D4.
+        """
         signs: Signs = ()
         cuts, twists = self.curve.cuts
         for a, b in pairwise([low, *inside(cuts, low, high), high]):

@@ -1,4 +1,4 @@
-"""The permanent rotations of a heavy body without a rotor as rational curves: the arcs of Staude's cone."""
+"""Parametrises Staude's cone: the permanent rotations of a heavy body without a rotor as rational curves."""
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
@@ -45,13 +45,13 @@ class Near(NamedTuple):
 class ConeCurve(Stored):
     """Permanent rotations without a rotor: k = n/abs(n) and omega² = abs(n) along a parameter.
 
-    With ∇U = omega² Ik + sigma k and tau = sigma/omega², n_i = c_i/(tau + I_i): the parameter is tau. Where
-    c_i = 0, k has any component along axis i at tau = −I_i: the parameter is rho, n_i.
+    With ∇U = omega² Ik + sigma k and tau = sigma/omega², n_i = c_i/(tau + I_i): the parameter is tau. If c_i
+    = 0, k has any component along axis i at tau = −I_i: the parameter is rho, n_i.
 
     Parameters
     ----------
     scene : System
-        at its numbers
+        at given numbers
     parameter : Symbol
         tau or rho
     n : tuple of Expr, shape (3,)
@@ -68,22 +68,22 @@ class ConeCurve(Stored):
 
     @property
     def k(self) -> tuple[Expr, ...]:
-        """n/omega²."""
+        """The direction n/omega²."""
         return tuple(x / OMEGA**2 for x in self.n)
 
     @cached_property
     def omega_squared(self) -> Expr:
-        """abs(n), in the parameter [1/T²]."""
+        """The square of the rate, abs(n), in the parameter [1/T²]."""
         return sqrt(dot(self.n, self.n))
 
     def at(self, span: Span, value: Expr) -> HeavyForm:
-        """That of positive rate."""
+        """Return the rotation of positive rate."""
         n = [evaluate(x, {self.parameter: value}) for x in self.n]
         length = sqrt(dot(n, n))
         return HeavyForm(self.scene, tuple(evaluate(x / length, {}) for x in n), sqrt(length))
 
     def near(self, span: Span, value: Fraction) -> Near:
-        """The same in doubles."""
+        """Return the rotation of positive rate in doubles."""
         with own_precision(PRECISION):
             here = {self.parameter: ball(Rational(value.numerator, value.denominator), PRECISION)}
             *n, tau = (ball(x, PRECISION, here) for x in (*self.n, self.tau))
@@ -92,7 +92,7 @@ class ConeCurve(Stored):
                         float((tau * length).mid()))
 
     def end(self, span: Span, at: Expr, root: Expr | None, side: int) -> End:
-        """A principal axis, omega → ∞, or ±c, omega → 0."""
+        """Return a limit of the arc: a principal axis, omega → ∞, or ±c, omega → 0."""
         if self.parameter == RHO:
             return End(tuple(-side * x.diff(RHO) for x in self.n), oo)
         c = [x * (TAU + m) for x, m in zip(self.n, self.scene.body.moments)]
@@ -104,7 +104,7 @@ class ConeCurve(Stored):
 
     @cached_property
     def folds(self) -> list[Expr]:
-        """Where omega is greatest or least, exact."""
+        """The values at which omega is greatest or least, exact."""
         return real_roots(dot(self.n, self.n).diff(self.parameter), self.parameter) or []
 
     @cached_property
@@ -122,7 +122,7 @@ class ConeCurve(Stored):
 
     @cached_property
     def cuts(self) -> tuple[list[Expr], bool | None]:
-        """Where D4 or the margin of a resonance vanishes, in order; and True, None at irrational numbers.
+        """The zeros of D4 and of the margins of resonances, in order, and True; None at irrational numbers.
 
         With k and M times n/k, which is abs(n), and its square root, h is rational in the parameter.
         """
@@ -136,7 +136,8 @@ class ConeCurve(Stored):
 
 
 def cone_curves(scene: System, c: Sequence[Expr]) -> Iterator[tuple[ConeCurve, Strand]]:
-    """The curve and the strand of every admissible arc of a body without a rotor in U = c·k, at numbers."""
+    """Yield the curve and the strand of every arc of a body without a rotor in U = c·k, at numbers.
+    """
     moments = scene.body.moments
     none = [proved_sign(x) == 0 for x in c]
     n = tuple(S.Zero if zero else x / (TAU + m) for x, m, zero in zip(c, moments, none))

@@ -1,6 +1,6 @@
 """Critical values of (C1, h) of a body of revolution in U(k3) at a fixed axial momentum.
 
-E1, E2 and all regular precessions.
+They are those of E1, E2 and all regular precessions, on a plane curve in k3 and the rate.
 """
 from dataclasses import dataclass, replace
 from typing import Any
@@ -24,7 +24,7 @@ from .precessions import Precessions
 
 @dataclass(frozen=True, eq=False)
 class CriticalCurve:
-    """Values of (C1, h) on regular precessions of one verdict.
+    """The values of (C1, h) on regular precessions of one verdict.
 
     Parameters
     ----------
@@ -43,7 +43,7 @@ class CriticalCurve:
 
 @dataclass(frozen=True)
 class EnergyMomentum:
-    """Critical values of (C1, h).
+    """The critical values of (C1, h).
 
     Parameters
     ----------
@@ -63,7 +63,7 @@ class EnergyMomentum:
 
 
 def critical_values(scene: System, numbers: Point) -> EnergyMomentum:
-    """Every critical value of (C1, h) at a fixed p_psi = π3 + l.
+    """Return every critical value of (C1, h) at a fixed p_psi = π3 + l.
 
     The precessions are the curve I1 k3 W² − p_ψ W + U' = 0 in k3 and the rate W. It is cut, exactly, where
     the two rates of a tilt are one, where one is infinite, where U is, and where stability changes; the
@@ -106,7 +106,7 @@ def critical_values(scene: System, numbers: Point) -> EnergyMomentum:
 
 
 def on_precessions(motion: Reduction) -> tuple[Expr, Expr, Expr]:
-    """C1, h, and what is positive where they are stable, of regular precessions in k3 and the rate omega."""
+    """Return C1, h, and what is positive if they are stable, on regular precessions in k3 and omega."""
     # motion.rate is omega there
     level = V - motion.twist + motion.system.body.moments[0] * OMEGA * motion.across
     return (
@@ -117,7 +117,7 @@ def on_precessions(motion: Reduction) -> tuple[Expr, Expr, Expr]:
 
 
 def _jets(motion: Reduction) -> dict[Any, Expr]:
-    """U' and U'' of the scene."""
+    """Return U' and U'' of the scene."""
     potential = motion.system.potential
     assert potential is not None
     return {name: potential.value(name) for name in (symbol("dU"), symbol("d2U"))}

@@ -1,4 +1,4 @@
-"""The regular precessions of a scene at a fixed axial momentum, cut into arcs of one verdict."""
+"""Cuts the regular precessions of a scene at a fixed axial momentum into arcs of one verdict."""
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from fractions import Fraction
@@ -28,7 +28,7 @@ NODES, DECADES = 480, 13
 
 @dataclass(frozen=True)
 class Arc:
-    """A branch of the rates between two cuts in k3, or at a tilt of every rate between two cuts in the rate.
+    """A branch of the rates between two cuts in k3, or every rate of one tilt between two cuts in the rate.
     """
 
     k3: Array
@@ -42,7 +42,7 @@ class Arc:
 
 
 class Precessions:
-    """The precessions of a scene at numbers: what the curves are made of."""
+    """The regular precessions of a scene at given numbers, from which the curves are made."""
 
     def __init__(self, scene: System, numbers: Point, curve: PlaneCurve, margin: fmpq_mpoly):
         self.scene, self.curve = scene, curve
@@ -55,16 +55,16 @@ class Precessions:
                         for part in self.components]
 
     def coefficients(self, n: int) -> list[Expr]:
-        """c, b, a of a component a W² + b W + c, as products.
+        """Return c, b, a of a component a W² + b W + c, as products.
 
-        Close to a pole of U what is multiplied out has no digits left.
+        Close to a pole of U an expanded sum has no digits left.
         """
         component, ring = self.components[n], self.curve.ring
         parts = (*by_degree(component, self.curve.place[1], self.curve.degree(component, 1)), ring.zero)[:3]
         return [by_factors(ring.expression(part)) for part in parts]
 
     def arcs(self, n: int) -> list[Arc]:
-        """The branches of one component."""
+        """Return the branches of one component."""
         # at one tilt, k3 = 0, every rate is that of a precession
         if not self.curve.degree(self.components[n], 1):
             return self._at_every_rate(n)
@@ -92,7 +92,7 @@ class Precessions:
 
     def _branch(self, n: int, side: int, rate: Callable[[Array], Array], infinite: set[Expr],
                 double: set[Expr]) -> list[Arc]:
-        """One root over −1 < k3 < 1, cut where it ends or its verdict changes."""
+        """Return one root over −1 < k3 < 1, cut where it ends or its verdict changes."""
         found: list[Arc] = []
         for a, b in pairwise([S.NegativeOne,
                               *in_order(list(infinite | double | {k3 for _, k3 in self.margins[n]})), S.One]):
@@ -119,7 +119,7 @@ class Precessions:
         return found
 
     def _at_every_rate(self, n: int) -> list[Arc]:
-        """k3 = 0 at p_psi = 0 where U' vanishes."""
+        """Return the arcs of k3 = 0 at p_psi = 0 if U' vanishes there: every rate is a precession's."""
         cuts = [None, *in_order([omega for omega, _ in self.margins[n]]), None]
         found = []
         for a, b in pairwise(cuts):
@@ -132,17 +132,18 @@ class Precessions:
         return found
 
     def _exists(self, component: fmpq_mpoly, k3: Fraction) -> bool:
-        """Whether the rates of a component are real at a tilt."""
+        """Tell whether the rates of a component are real at a tilt."""
         placed = self.curve.ring.expression(component).xreplace({K3: Rational(k3.numerator, k3.denominator)})
         return bool(real_roots(placed, OMEGA))
 
     def _verdict(self, k3: Fraction, omega: float) -> Verdict:
-        """Of the precession at a tilt whose rate is that, in doubles; the rates there are simple."""
+        """Return the verdict of the precession at a tilt with a rate in doubles; the rates there are simple.
+        """
         found = revolution_forms(self.scene, {**self.given, "k3": k3})
         return min(found, key=lambda form: abs(float(form.omega) - omega)).known().verdict
 
     def ends_at(self, arc: Arc, omega: Expr, k3: Expr) -> bool:
-        """Whether an arc has its end at a precession where stability may change."""
+        """Tell whether an arc has its end at a precession at which stability may change."""
         if (omega, k3) not in self.margins[arc.component]:
             return False
         if not self.curve.degree(self.components[arc.component], 1):
@@ -155,7 +156,7 @@ class Precessions:
         return root in (0, -arc.side if below == -1 else arc.side)
 
     def poles(self, motion: Reduction) -> list[tuple[float, float, RelativeEquilibrium]]:
-        """E1 and E2 with their values."""
+        """Return E1 and E2 with their values."""
         found = []
         assert self.scene.potential is not None
         for side, family in POLES.items():
@@ -174,7 +175,7 @@ def _values(expression: Expr, k3: Array) -> Array:
 
 
 def _inside(a: Expr | None, b: Expr | None) -> tuple[Expr, Expr]:
-    """A range between two cuts in the rate; beside one, where there is no other."""
+    """Return a range between two cuts in the rate, or beside one if there is no other."""
     if a is not None:
         return a, a + 1 if b is None else b
     if b is not None:
@@ -183,7 +184,7 @@ def _inside(a: Expr | None, b: Expr | None) -> tuple[Expr, Expr]:
 
 
 def _rates(a: Expr | None, b: Expr | None) -> Array:
-    """From one cut in the rate to another, or far beyond."""
+    """Return the rates from one cut to another, or far beyond."""
     steps = np.concatenate([[0], np.geomspace(1e-4, 10.0**(DECADES / 2), NODES)])
     if a is not None and b is not None:
         return np.linspace(float(a), float(b), NODES)
@@ -195,7 +196,7 @@ def _rates(a: Expr | None, b: Expr | None) -> Array:
 
 
 def _nodes(a: float, b: float, first: bool, last: bool) -> Array:
-    """From one cut to another, closer together at the ends.
+    """Return values from one cut to another, closer together at the ends.
 
     An end at which C1 or h is infinite is approached, not reached.
     """

@@ -1,4 +1,4 @@
-"""The permanent rotations of a gyrostat in a uniform field as plane curves over the rate omega."""
+"""Describes the permanent rotations of a gyrostat in a uniform field by plane curves over the rate omega."""
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
@@ -30,25 +30,25 @@ SLOWER = {SIGMA: OMEGA**2 * TAU}
 
 @dataclass(frozen=True)
 class RateCurve(Stored):
-    """Permanent rotations of every rate, as a plane curve over omega.
+    """The permanent rotations of every rate, as a plane curve over omega.
 
-    With ∇U = omega² Ik + omega l + sigma k and b = c − omega l, k_i = b_i/(sigma + omega² I_i); where b_i is
-    0 at every omega, k_i = 0, or sigma = −omega² I_i and k_i is what abs(k) = 1 leaves.
+    With ∇U = omega² Ik + omega l + sigma k and b = c − omega l, k_i = b_i/(sigma + omega² I_i). If b_i is 0
+    at every omega, k_i = 0, or sigma = −omega² I_i and k_i is what abs(k) = 1 leaves.
 
     Parameters
     ----------
     scene : System
-        at its numbers, in principal axes, with U = c·k
+        at given numbers, in principal axes, with U = c·k
     b : tuple of Expr, shape (3,)
         in omega
     unknown : Symbol
-        sigma; or k_i, of rotations with sigma = −omega² I_i
+        sigma; or k_i, for rotations with sigma = −omega² I_i
     equation : Expr
-        a polynomial in it and omega, of which it is a root
+        a polynomial in the unknown and omega, of which the unknown is a root
     k : tuple of Expr, shape (3,)
-        in both
+        in omega and the unknown
     through : tuple of Expr
-        the rates at which branches cross in a circle of rotations, of a body with equal moments
+        the rates at which branches cross in a circle of rotations, if two moments are equal
     """
 
     scene: System
@@ -62,15 +62,15 @@ class RateCurve(Stored):
 
     @cached_property
     def plane(self) -> PlaneCurve:
-        """The curve, for its real roots in balls."""
+        """The plane curve, for its real roots in balls."""
         return PlaneCurve(self.equation, self.unknown, OMEGA, ends=())
 
     def directed(self, omega: Expr, root: Expr) -> tuple[Expr, ...]:
-        """k of a root of the equation, exact."""
+        """Return the k of a root of the equation, exact."""
         return tuple(evaluate(x, {OMEGA: omega, self.unknown: root}) for x in self.k)
 
     def at(self, span: Span, value: Expr) -> HeavyForm:
-        """The rotation at a rational rate, or at the end of the span, where roots meet."""
+        """Return the rotation at a rational rate, or at the end of the span, where roots meet."""
         if value == span.high:
             return self._among_others(span)
         if not isinstance(value, Rational):
@@ -80,7 +80,8 @@ class RateCurve(Stored):
         return HeavyForm(self.scene, self.directed(value, root), value)
 
     def _among_others(self, span: Span) -> HeavyForm:
-        """Where roots meet: two rotations of one sigma have k_i of two signs, each that of its branch."""
+        """Return the rotation where roots meet: two of one sigma have k_i of the signs of their branches.
+        """
         found = self.all_at(span.high)
         level = found[span.place][0]
         signs = [proved_sign(x) for x in self.at(span, between(span.low, span.high)).k]
@@ -88,7 +89,8 @@ class RateCurve(Stored):
                     and all(proved_sign(x) in (0, sign) for x, sign in zip(rotation.k, signs)))
 
     def all_at(self, omega: Expr) -> list[tuple[Expr, HeavyForm]]:
-        """sigma and rotation of all with k_i = 0 where b_i is 0 at every omega, in the order of sigma."""
+        """Return sigma and rotation of all with k_i = 0 if b_i is 0 at every omega, in the order of sigma.
+        """
         found = []
         for whole in heavy_forms(self.scene, {"omega": omega}):
             for rotation in self._on_branches(whole):
@@ -98,7 +100,7 @@ class RateCurve(Stored):
         return sorted(found, key=lambda pair: order.index(pair[0]))
 
     def _on_branches(self, rotation: HeavyForm) -> list[HeavyForm]:
-        """The rotation; of a circle of them those two at which branches pass, along b."""
+        """Return the rotation; on a circle of them the two through which branches pass, along b."""
         if rotation.circle is None:
             return [rotation]
         within = [not x for x in rotation.circle]          # the axes in whose plane k may be turned
@@ -110,13 +112,13 @@ class RateCurve(Stored):
                 for side in (-scale, scale)]
 
     def sigma(self, rotation: HeavyForm) -> Expr:
-        """Of a rotation on it, exact."""
+        """Return the sigma of a rotation on the curve, exact."""
         k, at = rotation.k, rotation.omega
         return evaluate(dot(k, [evaluate(y, {OMEGA: at}) - at**2 * m * x
                                 for x, y, m in zip(k, self.b, self.scene.body.moments)]), {})
 
     def near(self, span: Span, value: Fraction) -> Near:
-        """The same in doubles."""
+        """Return the rotation at a rational rate in doubles."""
         omega = Rational(value.numerator, value.denominator)
         if omega == span.high:
             rotation = self._among_others(span)
@@ -129,12 +131,12 @@ class RateCurve(Stored):
         return Near(k, float(omega), float(ball(sigma, PRECISION, here).mid()))
 
     def end(self, span: Span, at: Expr, root: Expr | None, side: int) -> End:
-        """Two rotations become one, or a principal axis, omega → ±∞."""
+        """Return a limit of the arc: two rotations become one, or a principal axis, omega → ±∞."""
         k = self._far(span.place, at) if root is None else self.directed(at, root)
         return End(tuple(map(plain, k)), at)
 
     def _far(self, place: int, omega: Expr) -> tuple[Expr, ...]:
-        """k of a root, counted from below, as omega goes to −∞ or ∞: along a principal axis."""
+        """Return the k of a root, counted from below, as omega goes to −∞ or ∞: along a principal axis."""
         moments = self.scene.body.moments
         if self.unknown != SIGMA:
             side = 2 * place - 1
@@ -153,17 +155,18 @@ class RateCurve(Stored):
 
     @cached_property
     def cuts(self) -> tuple[list[Expr], bool | None]:
-        """Every omega at which a resonance holds on the curve, among others; and False, as D4 is left."""
+        """Every omega at which a resonance holds on the curve, among others; and False: D4 is not cut at."""
         _, p, q = self._form.spectrum
         return in_order(list(self._zeros(*(at for _, _, at in resonance_margins(p, q))))), False
 
     @cached_property
     def _form(self) -> Invariants:
-        """With tau = sigma/omega², of which the polynomials are of lower degree in omega."""
+        """The invariants with tau = sigma/omega², in which the polynomials have a lower degree in omega."""
         return HeavyForm(self.scene, tuple(x.xreplace(SLOWER) for x in self.k), OMEGA).invariants(None)
 
     def _zeros(self, *margins: Expr) -> dict[Expr, None]:
-        """Every omega at which one of them vanishes, and not along a component of the curve."""
+        """Return every omega at which a margin vanishes on the curve, unless it vanishes along a component.
+        """
         unknown = TAU if self.unknown == SIGMA else self.unknown
         curve = PlaneCurve(self.equation.xreplace(SLOWER), unknown, OMEGA, ends=())
         name = str(curve.whole.context().names()[curve.place[0]])
@@ -177,17 +180,17 @@ class RateCurve(Stored):
 
 @lru_cache(maxsize=64)
 def _roots(equation: Expr, unknown: Symbol, omega: Expr) -> list[Expr]:
-    """Of an equation at a rate, in increasing order; each branch asks for them."""
+    """Return the roots of an equation at a rate, in increasing order; they are kept for each branch."""
     return real_roots(evaluate(equation, {OMEGA: omega}), unknown) or []
 
 
 def rate_curves(scene: System, c: Sequence[Expr]) -> Iterator[tuple[RateCurve, Strand]]:
-    """The curve and the strand of every admissible arc of a body with a rotor in U = c·k, at numbers.
+    """Yield the curve and the strand of every admissible arc of a body with a rotor in U = c·k, at numbers.
 
-    Multiple roots of the equation are folds, but for those that are known. Where a b_i is 0 at one omega, so
-    are d_i = sigma + omega² I_i and k_i d_i: two rotations with k_i of two signs have one sigma, and their
-    branches cross; or there is none, or one with k_i = 0. Of equal moments those are two points of a circle
-    of rotations, along b_i and b_j.
+    Multiple roots of the equation are folds, but for those that are known. If a b_i is 0 at one omega, so are
+    d_i = sigma + omega² I_i and k_i d_i: two rotations with k_i of two signs have one sigma, and their
+    branches cross; or there is none, or one with k_i = 0. If two moments are equal, those are two points of a
+    circle of rotations, along b_i and b_j.
 
     Raises
     ------
@@ -226,6 +229,6 @@ def rate_curves(scene: System, c: Sequence[Expr]) -> Iterator[tuple[RateCurve, S
 
 
 def _left(squares: Mapping[Expr, Expr], m: Expr, omega: Expr) -> Expr:
-    """What is left of abs(k) = 1 for the square of the parts with the moment m, at sigma = −omega² m."""
+    """Return what abs(k) = 1 leaves for the square of the parts with the moment m, at sigma = −omega² m."""
     return 1 - Add(*(evaluate(square, {OMEGA: omega}) / (omega**2 * (n - m)) ** 2
                      for n, square in squares.items() if n != m))

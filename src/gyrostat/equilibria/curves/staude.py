@@ -34,23 +34,22 @@ class StaudeCone(Shown, Stored):
     Examples
     --------
     >>> import gyrostat as gs
-    >>> body = gs.Gyrostat(gyrostatic_momentum=(0, 0, 0))
-    >>> field = gs.general_potential(lambda k1, k2, k3: gs.symbol("m0") * k3)
+    >>> body, m0 = gs.Gyrostat((1, 2, 3), (0, 0, 0)), gs.symbol("m0")
+    >>> field = gs.general_potential(lambda k1, k2, k3: m0 * k3)
     >>> print(gs.staude_cone(gs.assemble(body, field)))
     Permanent rotations are about the directions k, |k| = 1, with:
-    m₀ k₁ k₂ (I₁ − I₂) = 0
+    −m₀ k₁ k₂ = 0
     The rate, admissible where its square is positive:
-    ω² = −m₀ k₃ (k₁² (I₁ − I₃) + k₂² (I₂ − I₃))/(k₁² k₂² (I₁ − I₂)² + k₁² k₃² (I₁ − I₃)²
-    + k₂² k₃² (I₂ − I₃)²)
+    ω² = m₀ k₃ (2 k₁² + k₂²)/(k₁² k₂² + 4 k₁² k₃² + k₂² k₃²)
     """
 
     scene: System
 
     @cached_property
     def polynomial(self) -> Expr:
-        """0 where k is the direction of a permanent rotation, but for exceptions.
+        """The polynomial that is 0 if k is the direction of a permanent rotation, with exceptions.
 
-        [k, ∇U, Ik] without a rotor; with one [k, Ik, ∇U]² − [k, Ik, l] [k, ∇U, l], where abs(k) = 1.
+        It is [k, ∇U, Ik] without a rotor; with one [k, Ik, ∇U]² − [k, Ik, l] [k, ∇U, l], on abs(k) = 1.
         """
         along, rotor, slopes = self._vectors
         if not self.turned:
@@ -61,7 +60,7 @@ class StaudeCone(Shown, Stored):
 
     @cached_property
     def rate(self) -> Expr:
-        """omega² without a rotor, admissible where it is positive; with one omega [1/T², 1/T]."""
+        """The rate: omega² without a rotor, admissible if it is positive; with one omega [1/T², 1/T]."""
         along, rotor, slopes = self._vectors
         if self.turned:
             self._refuse_sphere()
@@ -70,7 +69,7 @@ class StaudeCone(Shown, Stored):
         return dot(cross(slopes, DIRECTION), lever) / dot(lever, lever)
 
     def _refuse_sphere(self) -> None:
-        """Of equal moments Ik is along k, and the polynomial is 0 for every k."""
+        """Refuse equal moments: then Ik is along k, and the polynomial is 0 for every k."""
         if all(is_identically_zero(x.expand()) for x in cross(self._vectors[0], DIRECTION)):
             raise ScopeError("all moments are equal: the polynomial of the curve is 0 for every k and says "
                              "nothing; the rotations are where omega l − ∇U is along k, ask for arcs, or "
@@ -83,7 +82,7 @@ class StaudeCone(Shown, Stored):
 
     @cached_property
     def _vectors(self) -> tuple[list[Expr], Sequence[Expr], list[Expr]]:
-        """Ik, l and ∇U."""
+        """The vectors Ik, l and ∇U."""
         U = self.scene.potential
         assert U is not None
         slopes = [U.value(d) if U.given and d else d for d in map(S, U.gradient())]
@@ -92,10 +91,11 @@ class StaudeCone(Shown, Stored):
 
     @checked
     def arcs(self, values: Mapping[str, Any]) -> list[Arc]:
-        """Every admissible arc.
+        """Return every admissible arc.
 
-        Without a rotor in the order of tau, and on each both omega and −omega are rates. With one, over
-        omega, as they end: from where two rotations become one to the next such rate, or to omega → ±∞.
+        Without a rotor they come in the order of tau, and on each both omega and −omega are rates. With one
+        they are over omega, in the order in which they end: from where two rotations become one to the next
+        such rate, or to omega → ±∞.
 
         Parameters
         ----------
@@ -105,7 +105,7 @@ class StaudeCone(Shown, Stored):
         Returns
         -------
         list of Arc
-            complete; where c, and l, are on a principal axis, that axis is the direction of two of them, of
+            complete; if c, and l, are on a principal axis, that axis is the direction of two of them, of
             every rate
 
         Raises
@@ -136,10 +136,11 @@ class StaudeCone(Shown, Stored):
 
 @checked
 def staude_cone(scene: System) -> StaudeCone:
-    """The cone of the permanent rotations of a body in a field; with a rotor, a curve on the sphere.
+    """Return the cone of the permanent rotations of a body in a field; with a rotor, a curve on the sphere.
 
-    In a uniform field, U = c·k, without a rotor: (I2 − I3) c1 k2 k3 + (I3 − I1) c2 k3 k1 + (I1 − I2) c3 k1 k2
-    = 0. It contains the principal axes, c and I⁻¹ c. Of k and −k one is admissible, where omega² > 0.
+    In a uniform field, U = c·k, without a rotor it is (I2 − I3) c1 k2 k3 + (I3 − I1) c2 k3 k1 + (I1 − I2) c3
+    k1 k2 = 0. It contains the principal axes, c and I⁻¹ c. One of k and −k is admissible, that with omega² >
+    0.
 
     Parameters
     ----------
@@ -163,7 +164,8 @@ def staude_cone(scene: System) -> StaudeCone:
     --------
     >>> import gyrostat as gs
     >>> U = gs.general_potential(lambda k1, k2, k3: k1 + k2 + k3)
-    >>> cone = gs.staude_cone(gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 0)), U))
+    >>> scene = gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 0)), U)
+    >>> cone = gs.staude_cone(scene)
     >>> cone.polynomial
     -k1*k2 + 2*k1*k3 - k2*k3
     >>> [(arc.low, arc.high) for arc in cone.arcs({})]
@@ -177,7 +179,7 @@ def staude_cone(scene: System) -> StaudeCone:
 
 
 def _linear(scene: System) -> tuple[Expr, ...]:
-    """c of U = c·k."""
+    """Return the c of U = c·k."""
     U = scene.potential
     assert U is not None
     c = tuple(U.value(d) if d else S.Zero for d in U.gradient())
@@ -188,5 +190,5 @@ def _linear(scene: System) -> tuple[Expr, ...]:
 
 
 def _triple(a: Sequence[Expr], b: Sequence[Expr]) -> Expr:
-    """[k, a, b]."""
+    """Return the triple product [k, a, b]."""
     return dot(DIRECTION, cross(a, b))

@@ -1,4 +1,4 @@
-"""The permanent rotations of a free body or gyrostat: every equilibrium on a momentum sphere."""
+"""Finds the permanent rotations of a free body or gyrostat: every equilibrium on a momentum sphere."""
 from collections.abc import Iterator, Mapping
 from typing import Any
 
@@ -20,23 +20,24 @@ NU = symbol("nu")
 
 
 def free_forms(scene: System, values: Mapping[str, Any]) -> list[FreeForm]:
-    """Every permanent rotation of a scene without a field, at numbers for its names and M = abs(π + l)."""
+    """Return every permanent rotation of a scene without a field, at numbers for its names and M.
+    """
     numbers = numbers_of_rotations(scene, values)
     return rotations_on_sphere(at_numbers(scene, numbers), numbers[LENGTH])
 
 
 def rotations_on_sphere(scene: System, radius: Expr) -> list[FreeForm]:
-    """Every equilibrium of a free gyrostat on abs(M) = radius, at numbers; complete, by energy.
+    """Return every equilibrium of a free gyrostat on abs(M) = radius, at numbers; complete, by energy.
 
-    M (1 − ν I) = l: ν is a root of Σ l²/(1 − ν I)² = abs(M)², or 1/I of axes without a rotor. Δ > 0: the
-    energy is an extremum, hence the rotation stable; Δ < 0: a saddle, hence it is not. Δ = 0: the energy is
-    an extremum where Mᵢ = 0 = dᵢ and dⱼ dₖ > 0 for some i (three rotations meet), or about the axis of a
-    body of revolution that carries l; else it is not.
+    M (1 − ν I) = l: ν is a root of the secular equation Σ l²/(1 − ν I)² = abs(M)², or 1/I of axes without a
+    rotor. If Δ > 0, the energy is an extremum, hence the rotation stable; if Δ < 0, a saddle, hence it is
+    not. If Δ = 0, the energy is an extremum where Mᵢ = 0 = dᵢ and dⱼ dₖ > 0 for some i (three rotations
+    meet), or about the axis of a body of revolution that carries l; else it is not.
 
     Parameters
     ----------
     scene : System
-        at its numbers
+        at given numbers
     radius : Expr
         not negative
 
@@ -47,7 +48,8 @@ def rotations_on_sphere(scene: System, radius: Expr) -> list[FreeForm]:
     Examples
     --------
     >>> import gyrostat as gs
-    >>> for form in rotations_on_sphere(gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 0))), S.One)[::2]:
+    >>> scene = gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 0)))
+    >>> for form in rotations_on_sphere(scene, S.One)[::2]:
     ...     print(form.M, form.signs, form.frequencies)
     (0, 0, -1) (1, 1) (1/3,)
     (0, -1, 0) (1, -1) ()
@@ -66,7 +68,7 @@ def rotations_on_sphere(scene: System, radius: Expr) -> list[FreeForm]:
 
 
 def _about_axes(scene: System, radius: Expr) -> Iterator[FreeForm]:
-    """In principal axes."""
+    """Yield the rotations of a body in principal axes."""
     inertia, rotor = scene.body.moments, scene.body.gyrostatic_momentum
     inside, size, _ = without_pi(Matrix(rotor), radius)
     secular = Add(*(l**2 / (1 - NU * moment) ** 2 for l, moment in zip(inside, inertia))) - size**2
@@ -88,7 +90,7 @@ def _about_axes(scene: System, radius: Expr) -> Iterator[FreeForm]:
 
 
 def _by_energy(form: FreeForm) -> list[float]:
-    """Energy and M."""
+    """Return energy and M, by which rotations are sorted."""
     with own_precision(PRECISION):
         inverse, M, _ = form.enclosed
         pi = [m - ball(l, PRECISION) for m, l in zip(M, form.scene.body.gyrostatic_momentum)]

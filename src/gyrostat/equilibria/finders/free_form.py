@@ -1,4 +1,4 @@
-"""A permanent rotation of a free body or gyrostat: what decides it, and in which words."""
+"""Says what decides a permanent rotation of a free body or gyrostat, and in which words."""
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -23,7 +23,7 @@ AT_REST = settled(True, "M = 0 is the whole orbit", Rung.WHOLE_ORBIT)
 
 @dataclass(frozen=True)
 class FreeForm(Form):
-    """Of a rotation about an axis fixed in the body and in space: the energy on the sphere of M = I ω + l.
+    """A rotation about an axis fixed in body and space: the energy on the sphere of M = I ω + l.
 
     With ω = ν M, D = I⁻¹ − ν and Δ = M·adj(D) M the invariants, times abs(M)², are tr D abs(M)² − M·DM and Δ;
     the eigenvalues are ±√−Δ.
@@ -31,11 +31,11 @@ class FreeForm(Form):
     Parameters
     ----------
     scene : System
-        at its numbers
+        at given numbers
     M : tuple of Expr, shape (3,)
         exact [M L²/T]
     nu : Expr or None
-        ν [1/(M L²)]; None where M = 0
+        ν [1/(M L²)]; None if M = 0
     circle : tuple of Expr, shape (3,), or None
         along the axis about which the point may be turned: a circle of equilibria; (0, 0, 0) for any axis
     """
@@ -52,35 +52,38 @@ class FreeForm(Form):
 
     @property
     def described(self) -> tuple[tuple[str | Expr, Any], ...]:
-        """M."""
+        """The momentum M, which tells it from others."""
         return (("M", self.M),)
 
     @property
     def place(self) -> dict[str, Expr | None]:
-        """π."""
+        """The components of π, by name."""
         return dict(zip(("pi1", "pi2", "pi3"), self.point))
 
     @property
     def point(self) -> tuple[Expr, ...]:
-        """π = M − l."""
+        """The point π = M − l."""
         return tuple(m - l for m, l in zip(self.M, self.scene.body.gyrostatic_momentum))
 
     @property
     def rates(self) -> dict[str, Expr]:
-        """About M, negative against it."""
+        """The rate about M, negative if it is against M."""
         if self.nu is None:
             return {}
         return {"omega": evaluate(self.nu * sqrt(Add(*(m**2 for m in self.M))), {})}
 
     @property
     def rational(self) -> bool:
-        """Δ is one number."""
+        """True: the spectrum is solved exactly, it is that of one number, Δ."""
         return True
 
     reached = True
 
     def invariants(self, precision: int | None) -> Invariants:
-        """In principal axes Δ = M₁² d₂ d₃ + M₂² d₃ d₁ + M₃² d₁ d₂ with dᵢ = 1/Iᵢ − ν."""
+        """Return the invariants of the second variation and of the spectrum.
+
+        In principal axes Δ = M₁² d₂ d₃ + M₂² d₃ d₁ + M₃² d₁ d₂ with dᵢ = 1/Iᵢ − ν.
+        """
         if self.nu is None:
             return Invariants((S.Zero, S.Zero), (S.One, S.Zero))
         rows, M, nu = ((self.scene.body.inverse.tolist(), self.M, self.nu) if precision is None
@@ -92,7 +95,7 @@ class FreeForm(Form):
 
     @cached_property
     def enclosed(self) -> tuple[list[list[Any]], list[Any], Any]:
-        """I⁻¹, M and ν in balls, with the precision that decides."""
+        """The matrix I⁻¹, M and ν in balls, with the precision that decides."""
         return self._balls(PRECISION)
 
     def _balls(self, precision: int) -> tuple[list[list[Any]], list[Any], Any]:
@@ -101,7 +104,7 @@ class FreeForm(Form):
         return rows, [ball(m, precision) for m in self.M], ball(self.nu, precision)
 
     def known(self) -> Decision | None:
-        """M = 0, a circle and the whole sphere."""
+        """Return the decision at M = 0, on a circle and on the whole sphere."""
         if self.nu is None:
             return AT_REST
         if self.circle is None:
@@ -109,21 +112,21 @@ class FreeForm(Form):
         return on_circle(self.circle) if any(self.circle) else ANYWHERE
 
     def known_damped(self) -> Decision | None:
-        """M = 0."""
+        """Return the decision under damping at M = 0."""
         return replace(AT_REST, notion=Notion.SECULAR, growing=0) if self.nu is None else None
 
     def known_point(self) -> Decision | None:
-        """On a circle others drift along it."""
+        """Return the decision on the point of a circle: others drift along it."""
         return settled(False, DRIFTS, Rung.DRIFT)
 
     def degenerate(self) -> Decision | None:
-        """To fourth order."""
+        """Return the decision by terms of the fourth order."""
         assert self.nu is not None
         return extremum(self.scene.body, self.M, self.nu).decision
 
 
 def on_circle(axis: tuple[Expr, ...]) -> Decision:
-    """The decision on a circle of rotations about an axis, modulo the turns about it."""
+    """Return the decision on a circle of rotations about an axis, modulo the turns about it."""
     along = Add(*(x * symbol(f"pi{n}") for n, x in enumerate(axis, 1)))
     return settled(True, "the momentum along the axis of the circle is conserved, and on its level nothing "
                    "else moves", Rung.SECOND_VARIATION, modulo=(along,))

@@ -1,4 +1,5 @@
-"""The permanent rotations of any body in a field: every one at a rate, on a level, or in a direction."""
+"""Finds the permanent rotations of any body in a field: every one at a rate, on a level, or in a direction.
+"""
 import contextlib
 from collections.abc import Iterator, Mapping
 from typing import Any
@@ -23,7 +24,10 @@ OMEGA, SIGMA = symbol("omega"), symbol("sigma")
 
 
 def heavy_forms(scene: System, values: Mapping[str, Any]) -> list[HeavyForm]:
-    """Every one at a rate omega, on a level C1, or in a direction k1, k2, k3; as relative_equilibria says."""
+    """Return every rotation at a rate omega, on a level C1, or in a direction k1, k2, k3.
+
+    relative_equilibria says more about what is asked.
+    """
     needed = {s.name for s in names_of_scene(scene)}
     asked = {"omega", "C1", *map(str, DIRECTION)} - needed
     numbers = exact_point(scene, values, needed | asked)
@@ -44,7 +48,10 @@ def heavy_forms(scene: System, values: Mapping[str, Any]) -> list[HeavyForm]:
 
 
 def _at_rate(scene: System, omega: Expr) -> Iterator[HeavyForm]:
-    """(omega² I − Q + sigma) k = c − omega l, where U = c·k + k·Qk/2; any other polynomial by elimination."""
+    """Yield the rotations at a rate: (omega² I − Q + sigma) k = c − omega l if U = c·k + k·Qk/2.
+
+    In any other polynomial U they are found by elimination.
+    """
     if degree_in_k(scene, "at a rate omega") > 2:
         yield from (HeavyForm(scene, *found) for found in directions_at_rate(scene, omega))
         return
@@ -56,7 +63,10 @@ def _at_rate(scene: System, omega: Expr) -> Iterator[HeavyForm]:
 
 
 def _on_level(scene: System, level: Expr) -> list[HeavyForm]:
-    """By resultants where U = c·k + k·Qk/2 and they tell all rotations apart, else by elimination."""
+    """Return the rotations on a level of C1.
+
+    If U = c·k + k·Qk/2 and resultants tell all rotations apart, these are used, else elimination.
+    """
     if degree_in_k(scene, "on a level of C1") < 3:
         linear, curved = _quadratic(scene)
         inertia, rotor = scene.body.tensor, Matrix(scene.body.gyrostatic_momentum)
@@ -67,13 +77,13 @@ def _on_level(scene: System, level: Expr) -> list[HeavyForm]:
 
 
 def _quadratic(scene: System) -> tuple[Matrix, Matrix]:
-    """c and Q of U = c·k + k·Qk/2."""
+    """Return c and Q of U = c·k + k·Qk/2."""
     _, _, linear, curved = data_at(scene, (S.Zero,) * 3)
     return Matrix(linear), Matrix(curved)
 
 
 def _in_direction(scene: System, k: tuple[Expr, ...]) -> list[HeavyForm]:
-    """Where omega² Ik × k + omega l × k = ∇U × k."""
+    """Return the rotations in a direction: omega² Ik × k + omega l × k = ∇U × k."""
     length = evaluate(Add(*(x**2 for x in k)), {})
     if proved_sign(length - 1) != 0:
         raise ValuesError(f"k = ({', '.join(map(str, k))}) has |k|² − 1 = {length - 1}: k is a direction, "
@@ -90,6 +100,6 @@ def _in_direction(scene: System, k: tuple[Expr, ...]) -> list[HeavyForm]:
 
 
 def _place(rotation: HeavyForm) -> list[float]:
-    """From the upright one down."""
+    """Return the key that sorts rotations from the upright one down."""
     k1, k2, k3 = (float(ball(x, PRECISION).mid()) for x in rotation.k)
     return [-k3, k1, k2]

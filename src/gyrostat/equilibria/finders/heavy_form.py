@@ -1,4 +1,4 @@
-"""A permanent rotation of any body in a field: what decides it, and in which words."""
+"""Says what decides a permanent rotation of any body in a field, and in which words."""
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, NamedTuple
@@ -29,7 +29,7 @@ ALONG = undecided("the rotation lies on a curve of rotations, and its second var
 
 
 class Data(NamedTuple):
-    """Of a scene at numbers, in a direction: of the body, and of U; exact, or in balls."""
+    """The numbers of body and field in a direction: inertia, rotor, ∇U and D²U; exact, or in balls."""
 
     inertia: list[list[Any]]
     rotor: list[Any]
@@ -39,20 +39,20 @@ class Data(NamedTuple):
 
 @dataclass(frozen=True)
 class HeavyForm(Form):
-    """Of a permanent rotation ω = omega k, k fixed in the body and in space: the amended potential across k.
+    """A permanent rotation ω = omega k, k fixed in body and space: the amended potential across k.
 
     Parameters
     ----------
     scene : System
-        at its numbers
+        at given numbers
     k : tuple of Expr, shape (3,)
         exact
     omega : Expr
         [1/T]
     circle : tuple of Expr, shape (3,), or None
-        along the axis about which k may be turned, (0, 0, 0) for any: a continuum of equilibria
+        along the axis about which k may be turned, (0, 0, 0) for any axis: a continuum of equilibria
     curve : Expr or None
-        of a continuum that is no circle a polynomial in k1, k2, k3 that vanishes on it, where abs(k) = 1
+        for a continuum that is no circle a polynomial in k1, k2, k3 that vanishes on it, with abs(k) = 1
     label : str
     """
 
@@ -70,42 +70,48 @@ class HeavyForm(Form):
 
     @property
     def described(self) -> tuple[tuple[str | Expr, Any], ...]:
-        """k and omega."""
+        """The direction k and omega, which tell it from others."""
         return ("k", self.k), (symbol("omega"), self.omega)
 
     @cached_property
     def point(self) -> tuple[Expr, ...]:
-        """π = omega Ik and k."""
+        """The point π = omega Ik and k."""
         along = self.scene.body.tensor * Matrix(self.k)
         return (*(evaluate(self.omega * x, {}) for x in along), *self.k)
 
     @property
     def directions(self) -> tuple[tuple[Expr, ...], ...]:
-        """k."""
+        """The direction k."""
         return (self.k,)
 
     @property
     def rates(self) -> dict[str, Expr]:
-        """About k."""
+        """The rate about k."""
         return {"omega": self.omega}
 
     @property
     def heading(self) -> str:
-        """A circle has one verdict, but for single points; of a curve it is that of one rotation."""
+        """The words for it; on a curve that is no circle they say that it is one of those on the curve.
+
+        A circle has one verdict, but for single points; on another curve the verdict is that of one rotation.
+        """
         return super().heading if self.curve is None else f"{self.label}, one of those on {self.locus}"
 
     @property
     def singular(self) -> bool:
-        """Not on a circle: C1 changes along one of a single rate, and the form is definite there."""
+        """Whether the second variation is known to be degenerate: on a curve that is no circle.
+
+        Along a circle of rotations of one rate C1 changes, so that the form need not be degenerate there.
+        """
         return self.curve is not None
 
     @property
     def rational(self) -> bool:
-        """At rational k and omega."""
+        """Whether the spectrum is solved exactly: k and omega are rational."""
         return all(isinstance(x, Rational) for x in (*self.k, self.omega))
 
     def invariants(self, precision: int | None) -> Invariants:
-        """Trace and determinant of the second variation across k; λ⁴ + p λ² + q."""
+        """Return trace and determinant of the second variation across k, and λ⁴ + p λ² + q."""
         k, data, omega = (self.k, self._data, self.omega) if precision is None else self.in_balls(precision)
         trace, determinant, p, q = amended_form(*data, k, omega)
         return Invariants((trace, determinant), (1, p, q))
@@ -115,7 +121,7 @@ class HeavyForm(Form):
         return data_at(self.scene, self.k)
 
     def in_balls(self, precision: int) -> tuple[list[Any], Data, Any]:
-        """k, what is of the scene there, and omega."""
+        """Return k, the data of the scene there, and omega in balls."""
         inertia, rotor, gradient, curved = self._data
         rows = [[[ball(e, precision) for e in row] for row in matrix] for matrix in (inertia, curved)]
         k, *vectors = ([ball(e, precision) for e in vector] for vector in (self.k, rotor, gradient))
@@ -123,21 +129,22 @@ class HeavyForm(Form):
 
     @cached_property
     def resonance_signs(self) -> Signs:
-        """Of what is 0 where the frequencies are as 1 to 2, and as 1 to 3."""
+        """The signs of what is 0 if the frequencies are as 1 to 2, and as 1 to 3."""
         return self._proved(lambda found: [x for _, _, x in resonance_margins(*found.spectrum[1:])])
 
     def known(self) -> Decision | None:
-        """On a curve of rotations that is no circle, where the second variation is degenerate."""
+        """Return the decision on a curve that is no circle, if the second variation is degenerate there.
+        """
         if self.curve is None or self.signs[-1]:
             return None
         return ACROSS if self.spectral_signs[0] == -1 else ALONG
 
     def known_damped(self) -> Decision | None:
-        """The same."""
+        """Return the same decision under damping: it is not known."""
         return None if self.curve is None or self.signs[-1] else ALONG
 
     def held(self) -> Decision | None:
-        """By normal forms."""
+        """Return the decision by normal forms, if gyroscopic forces alone stabilise the rotation."""
         if self.scene.given_integrals:
             return None
         inertia, U = self.scene.body.inverse.tolist(), self.scene.potential
@@ -148,15 +155,15 @@ class HeavyForm(Form):
                                          U.expression, self._coefficients))
 
     def _coefficients(self) -> tuple[Expr, Expr]:
-        """p and q, exact."""
+        """Return p and q, exact."""
         _, p, q = self.invariants(None).spectrum
         return evaluate(p, {}), evaluate(q, {})
 
     @property
     def reached(self) -> bool:
-        """M × k and the second variation of U across k are not both 0.
+        """Whether damping reaches every motion: M × k and the second variation of U across k are not both 0.
 
-        With M × k = 0 the torque is 0 too, ∇U × k = omega M × k.
+        With M × k = 0 the torque is 0 too, since ∇U × k = omega M × k.
         """
         with own_precision(PRECISION):
             k, (inertia, rotor, gradient, curved), omega = self.in_balls(PRECISION)
@@ -166,7 +173,7 @@ class HeavyForm(Form):
 
 
 def data_at(scene: System, k: Sequence[Expr]) -> Data:
-    """The inertia, the rotor, ∇U and D²U of a scene in a direction."""
+    """Return the inertia, the rotor, ∇U and D²U of a scene in a direction."""
     U = scene.potential
     assert U is not None
     at = dict(zip(DIRECTION, k))
@@ -183,7 +190,7 @@ def data_at(scene: System, k: Sequence[Expr]) -> Data:
 
 def unreached(inertia: Sequence[Sequence[Any]], rotor: Sequence[Any], gradient: Sequence[Any],
               curved: Sequence[Sequence[Any]], k: Sequence[Any], omega: Any) -> list[Any]:
-    """M × k, and D²U − k·∇U between vectors across k."""
+    """Return M × k, and D²U − k·∇U between vectors across k."""
     M, along = [omega * dot(row, k) + l for row, l in zip(inertia, rotor)], dot(gradient, k)
     rows = [[x - along * (n == m) for m, x in enumerate(row)] for n, row in enumerate(curved)]
     columns = zip(*(cross(row, k) for row in rows))

@@ -1,4 +1,7 @@
-"""The permanent rotations of any body in a field on a level of C1 = M·k: critical points of U_c."""
+"""Finds the permanent rotations of any body in a field on a level of C1 = M·k, by resultants.
+
+They are the critical points of the amended potential U_c.
+"""
 from collections.abc import Iterator
 from functools import reduce
 from typing import Any, NamedTuple
@@ -32,7 +35,7 @@ class Field(NamedTuple):
     level: Expr
 
     def along(self, axes: list[int]) -> "Field":
-        """The parts along some of the axes."""
+        """Return the parts along some of the axes."""
         I, Q, c, l, level = self
         within, parts = (axes, axes), (axes, [0])
         return Field(I.extract(*within), Q.extract(*within), c.extract(*parts), l.extract(*parts), level)
@@ -48,14 +51,14 @@ class Field(NamedTuple):
 
 def rates_on_level(inertia: Matrix, curved: Matrix, linear: Matrix, rotor: Matrix, level: Expr
                    ) -> Iterator[Found]:
-    """omega, k, and the axis of a circle if there is one, of N k = b, k·k = 1 and C1 = omega k·Ik + l·k.
+    """Yield omega, k and the axis of a circle, if any, of N k = b, k·k = 1 and C1 = omega k·Ik + l·k.
 
-    N = omega² I − Q + sigma and b = c − omega l, where U = c·k + k·Qk/2. Where det N ≠ 0 the solutions are
-    the common roots of two polynomials in omega and sigma; omega is a root of their resultant R. Of a root α
-    of one in sigma at which the other, G, vanishes, and at no other root, α is the ratio of the terms of R
-    in epsilon for G + epsilon sigma and G + epsilon: so sigma and k are rational in omega. The omega at which
-    det N = 0 and b has no part in the kernel are roots of R too, several times: there k·k = 1 and C1 are
-    looked at on the kernel.
+    N = omega² I − Q + sigma and b = c − omega l, where U = c·k + k·Qk/2. If det N ≠ 0, the solutions are the
+    common roots of two polynomials F and G in omega and sigma; omega is a root of their resultant in sigma,
+    R, which by Poisson's formula is a power of the leading coefficient of F times Π G(α) over the roots α of
+    F. If G vanishes at one root α alone, the derivatives of R in epsilon for G + epsilon sigma and G +
+    epsilon have the ratio α: so sigma and k are rational in omega. The omega at which det N = 0 and b has no
+    part in the kernel are roots of R too, several times: there k·k = 1 and C1 are looked at on the kernel.
 
     Raises
     ------
@@ -69,7 +72,7 @@ def rates_on_level(inertia: Matrix, curved: Matrix, linear: Matrix, rotor: Matri
 
 
 def _with_parts_along(field: Field, axes: list[int]) -> Iterator[Found]:
-    """Those with k in the span of some axes: in a plane of symmetry, or not."""
+    """Yield the rotations with k in the span of some axes, in a plane of symmetry or not."""
     I, Q, c, l, _ = field
 
     def symmetric(n: int) -> bool:
@@ -85,7 +88,7 @@ def _with_parts_along(field: Field, axes: list[int]) -> Iterator[Found]:
 
 
 def _across(field: Field, n: int, others: list[int]) -> Iterator[Found]:
-    """Those with a part along an axis of symmetry."""
+    """Yield the rotations with a part along an axis of symmetry."""
     part, moment = field.along(others), field.inertia[n, n]
     placed = part.pencil.xreplace({SIGMA: field.curved[n, n] - OMEGA**2 * moment})
     above, below = placed.adjugate() * part.vector, placed.det(method="berkowitz").expand()
@@ -107,7 +110,7 @@ def _across(field: Field, n: int, others: list[int]) -> Iterator[Found]:
 
 
 def _in_span(field: Field, axes: list[int]) -> Iterator[Found]:
-    """Those with k in the span of axes without a plane of symmetry."""
+    """Yield the rotations with k in the span of axes without a plane of symmetry."""
     inertia, _, _, rotor, level = part = field.along(axes)
     pencil, vector, size = part.pencil, part.vector, range(len(axes))
     ring = Ring([OMEGA, SIGMA, EPSILON])
@@ -147,6 +150,7 @@ def _in_span(field: Field, axes: list[int]) -> Iterator[Found]:
                     scale = at_root(slope, root)
                     yield root, _embedded([at_root(top, root) / scale for top in tops], axes), None
                 continue
+        # if G vanishes at two roots α and β, the second derivatives give α β and (α + 1)(β + 1)
         twice = [_in_omega(ring, x.derivative(place)) for x in changed]
         if factor.degree() > 1 and twice[0] % factor:
             product, both = divided(twice[1:], twice[0], factor)
@@ -164,7 +168,7 @@ def _embedded(parts: list[Expr], axes: list[int]) -> tuple[Expr, ...]:
 
 
 def _one_by_one(field: Field, root: Expr, axes: list[int]) -> Iterator[Found]:
-    """Of all rotations of a rate those on the level with k in the span of some axes."""
+    """Yield those of all rotations of a rate that are on the level with k in the span of some axes."""
     if not isinstance(root, Rational):
         raise ScopeError(UNTOLD)
     here = {OMEGA: root}
@@ -180,7 +184,7 @@ def _one_by_one(field: Field, root: Expr, axes: list[int]) -> Iterator[Found]:
 
 
 def _on_one_level(field: Field, root: Rational, k: Matrix, axis: Matrix) -> bool:
-    """Whether C1 is the same on the whole circle of k about an axis, no axis being any."""
+    """Tell whether C1 is the same on the whole circle of k about an axis; it is not for the axis 0."""
     inertia, rotor = field.inertia, field.rotor
     across = k * axis.dot(axis) - axis * axis.dot(k)
     other = axis.cross(across)
@@ -191,9 +195,10 @@ def _on_one_level(field: Field, root: Rational, k: Matrix, axis: Matrix) -> bool
 
 
 def _may_turn(part: Field, root: Expr, sigma: Expr) -> bool:
-    """Whether a solution is not excluded where det N = 0 and b has no part in the kernel, spanned by e.
+    """Tell whether a solution is not excluded if det N = 0 and b has no part in the kernel, spanned by e.
 
-    They are k = a ± t e, (N + e eᵀ) a = b.
+    The solutions are k = a ± t e with (N + e eᵀ) a = b. This matrix is invertible, and since b ⟂ e, so is a ⟂
+    e and N a = b.
     """
     with own_precision(PRECISION):
         at = {OMEGA: ball(root, PRECISION), SIGMA: ball(sigma, PRECISION)}
@@ -218,12 +223,12 @@ def _enclosed(matrix: Matrix, at: dict[Symbol, arb]) -> arb_mat:
 
 
 def _in_omega(ring: Ring, polynomial: fmpq_mpoly) -> fmpq_poly:
-    """With 0 for what is not omega."""
+    """Return the polynomial in omega, with 0 for the other names."""
     return in_one(polynomial, ring.generators.index(OMEGA))
 
 
 def _placed(ring: Ring, polynomial: fmpq_mpoly, s: fmpq_poly, modulus: fmpq_poly) -> fmpq_poly:
-    """With s for sigma."""
+    """Insert s for sigma, modulo a polynomial."""
     place = ring.generators.index(SIGMA)
     value = fmpq_poly([0])
     for part in reversed(by_degree(polynomial, place, polynomial.degrees()[place])):

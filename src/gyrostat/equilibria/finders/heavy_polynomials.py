@@ -1,4 +1,4 @@
-"""The permanent rotations of any body in a field polynomial in k, of any degree, by elimination."""
+"""Finds the permanent rotations of any body in a field polynomial in k, of any degree, by elimination."""
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
@@ -17,7 +17,7 @@ INSTEAD = "give a direction k1, k2, k3, of which every rate is found"
 
 
 def degree_in_k(scene: System, where: str) -> int:
-    """Of U, or a refusal."""
+    """Return the degree of U in k, or refuse U."""
     U = scene.potential
     assert U is not None
     try:
@@ -28,7 +28,10 @@ def degree_in_k(scene: System, where: str) -> int:
 
 
 class Found(NamedTuple):
-    """A direction and a rate; of a circle of them the axis, of another curve a polynomial that is 0 on it."""
+    """A direction and a rate, and the axis if it is one of a circle of them.
+
+    On another curve it has a polynomial that is 0 on the curve.
+    """
 
     k: tuple[Expr, ...]
     omega: Expr
@@ -37,20 +40,23 @@ class Found(NamedTuple):
 
 
 def directions_at_rate(scene: System, omega: Expr) -> Iterator[Found]:
-    """Every k with (∇U − omega l − omega² Ik) × k = 0: of U of degree d at most 2 (d² − d + 1), or curves."""
+    """Yield every k with (∇U − omega l − omega² Ik) × k = 0.
+
+    If U has the degree d, there are at most 2 (d² − d + 1), or curves of them.
+    """
     k, inertia, rotor, gradient = _parts(scene)
     return _found(gradient - omega * rotor - omega**2 * inertia * k, omega, S.One, scene, omega)
 
 
 def rates_by_elimination(scene: System, level: Expr) -> Iterator[Found]:
-    """Every k on a level, omega k·Ik = C1 − l·k, with the same."""
+    """Yield every k with the same equation on a level, omega k·Ik = C1 − l·k."""
     k, inertia, rotor, gradient = _parts(scene)
     J, top = k.dot(inertia * k), level - rotor.dot(k)
     return _found(J**2 * gradient - J * top * rotor - top**2 * inertia * k, top, J, scene, level)
 
 
 def _parts(scene: System) -> tuple[Matrix, Matrix, Matrix, Matrix]:
-    """k, I, l and ∇U."""
+    """Return k, I, l and ∇U."""
     U, body = scene.potential, scene.body
     assert U is not None
     polynomial = Poly(U.expression, *DIRECTION)
@@ -59,7 +65,7 @@ def _parts(scene: System) -> tuple[Matrix, Matrix, Matrix, Matrix]:
 
 
 def _found(force: Matrix, top: Expr, bottom: Expr, scene: System, asked: Expr) -> Iterator[Found]:
-    """Every k along the force, or against it, with omega = top/bottom."""
+    """Yield every k along the force, or against it, with omega = top/bottom."""
     def rate(k: Sequence[Expr]) -> Expr:
         at = dict(zip(DIRECTION, k))
         return evaluate(evaluate(top, at) / evaluate(bottom, at), {}) if top else S.Zero
@@ -80,9 +86,9 @@ def _found(force: Matrix, top: Expr, bottom: Expr, scene: System, asked: Expr) -
 
 
 def _rational(f: Expr, scene: System, asked: Expr) -> Expr:
-    """A polynomial divided by one of its coefficients, or a refusal where the others are not rational then.
+    """Return a polynomial divided by one of its coefficients; refuse it if the others are not rational then.
 
-    They are if they have one factor, such as π² where l and omega are in rpm and U has the factor too.
+    They are rational if they have one factor, such as π² if l and omega are in rpm and U has the factor too.
     """
     polynomial, numbers = Poly(f, *DIRECTION), _coefficients(f)
     if polynomial.is_zero or all(isinstance(x, Rational) for x in numbers):

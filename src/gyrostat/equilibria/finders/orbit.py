@@ -1,4 +1,4 @@
-"""Every equilibrium of a gyrostat satellite in a circular orbit."""
+"""Finds every equilibrium of a gyrostat satellite in a circular orbit: closed forms, or zeros on a sphere."""
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
@@ -22,9 +22,9 @@ Vector = tuple[Expr, Expr, Expr]
 
 
 def orbit_forms(scene: System, values: Mapping[str, Any]) -> list[OrbitalForm]:
-    """All of them, as relative_equilibria says.
+    """Return all equilibria of a satellite in orbit, as relative_equilibria says.
 
-    n and r are unit vectors at right angles with t·Ir = 0, t·(ω0 In + l) = 0 and r·(4 ω0 In + l) = 0. With l
+    n and r are unit vectors at right angles with t·Ir = 0, t·(ω0 In + l) = 0 and r·(4 ω0 In + l) = 0. If l is
     along a principal axis they are in closed form. Else, with c = r × Ir and r·l ≠ 0, r lies on a cubic and a
     quartic, and n = (Ir − (r·Ir) r)/b, b = −r·l/(4 ω0); with r·l = 0 it is along a principal axis, and n
     turns about it.
@@ -57,7 +57,7 @@ def orbit_forms(scene: System, values: Mapping[str, Any]) -> list[OrbitalForm]:
 
 
 def _axis_of_symmetry(moments: Sequence[Expr]) -> int | None:
-    """The one whose moment the other two do not share; None where all are different."""
+    """Return the axis whose moment the other two do not share; None if all are different."""
     same = [i for i in range(3) if proved_sign(moments[i - 1] - moments[i - 2]) == 0]
     if len(same) == 3:
         raise ScopeError(f"the three moments are {moments[0]}, and no gravity gradient turns the satellite: "
@@ -67,7 +67,7 @@ def _axis_of_symmetry(moments: Sequence[Expr]) -> int | None:
 
 
 def _tilted(scene: System, l: Sequence[Expr], scale: Expr) -> Iterator[OrbitalForm]:
-    """Where r is along no principal axis; the rotor is ω0 scale l."""
+    """Yield the attitudes with r along no principal axis; the rotor is ω0 scale l."""
     I = scene.body.moments
     along = [moment * x for moment, x in zip(I, R)]
     c, level = cross(R, along), Add(*(x * y for x, y in zip(l, R)))
@@ -82,7 +82,7 @@ def _tilted(scene: System, l: Sequence[Expr], scale: Expr) -> Iterator[OrbitalFo
 
 def _finite(polynomials: Sequence[Expr], k: Sequence[Expr], but: Expr = S.One, over_it: Sequence[Expr] = ()
             ) -> list[FieldNumbers]:
-    """The zeros on the sphere, which are refused where they are no points."""
+    """Return the zeros on the sphere; refuse curves of them."""
     zeros = zeros_on_sphere(polynomials, k, but, over_it)
     if zeros is None or zeros.curves:
         curve = zeros and f", {zeros.curves[0].expression(k)} = 0" or ""
@@ -92,9 +92,9 @@ def _finite(polynomials: Sequence[Expr], k: Sequence[Expr], but: Expr = S.One, o
 
 def _principal(scene: System, l: Sequence[Expr], scale: Expr, axis: int | None
                ) -> Iterator[OrbitalForm]:
-    """Where r is along a principal axis across l: n on a circle, t·(ω0 In + l) = 0.
+    """Yield the attitudes with r along a principal axis across l: n on a circle, t·(ω0 In + l) = 0.
 
-    With the scale a root, its square is taken, and of two opposite n one has the right sign.
+    If the scale is a root, its square is taken, and one of two opposite n has the right sign.
     """
     verticals = [[S.One if i == k else S.Zero for i in range(3)] for k in range(3) if l[k] == 0]
     if axis is not None:                                   # any axis across that of symmetry is principal
@@ -114,11 +114,11 @@ def _principal(scene: System, l: Sequence[Expr], scale: Expr, axis: int | None
 
 
 def along_an_axis(scene: System, axis: int, L: Expr) -> Iterator[OrbitalForm]:
-    """With the rotor ω0 L along an axis j that is none of symmetry; complete.
+    """Yield the attitudes with the rotor ω0 L along an axis j that is none of symmetry; complete.
 
-    n along j, r along another axis; or r along k, n in the plane of i and j, n_j = L/(I_i − I_j); or t along
-    i, n in the plane of j and k, n_j = L/(4 (I_k − I_j)). Where L² = 4 (I_i − I_j) (I_k − I_j) a closed curve
-    joins those that are tilted.
+    n is along j, r along another axis; or r is along k, n in the plane of i and j, n_j = L/(I_i − I_j); or t
+    is along i, n in the plane of j and k, n_j = L/(4 (I_k − I_j)). If L² = 4 (I_i − I_j) (I_k − I_j), a
+    closed curve joins those that are tilted.
     """
     moments = scene.body.moments
     others = [i for i in range(3) if i != axis]
@@ -136,7 +136,8 @@ def along_an_axis(scene: System, axis: int, L: Expr) -> Iterator[OrbitalForm]:
 
 
 def circles(scene: System, axis: int, L: Expr) -> Iterator[OrbitalForm]:
-    """Of a body of revolution with the rotor ω0 L along its axis: the precessions, a point of each circle."""
+    """Yield a point of each circle of precessions of a body of revolution with the rotor ω0 L along its axis.
+    """
     i, k = (n for n in range(3) if n != axis)
     beyond = scene.body.moments[i] - scene.body.moments[axis]
     circle = f"a circle of equilibria about axis {axis + 1}, "
@@ -153,7 +154,8 @@ def circles(scene: System, axis: int, L: Expr) -> Iterator[OrbitalForm]:
 
 
 def _tilts(L: Expr, beyond: Expr) -> list[tuple[Expr, Expr]]:
-    """Of a unit vector with the component L/beyond along an axis, that and the one across, of either sign."""
+    """Return the component L/beyond of a unit vector and that across, of either sign; an empty list if none.
+    """
     if proved_sign(beyond**2 - L**2) != 1:
         return []
     high = evaluate(L / beyond, {})

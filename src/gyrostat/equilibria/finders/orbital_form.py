@@ -1,4 +1,4 @@
-"""An attitude in which a satellite rests in the frame of its orbit: what decides it, and in which words."""
+"""Says what decides an attitude in which a satellite rests in the frame of its orbit, and in which words."""
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -27,16 +27,16 @@ OPEN = undecided(HELD)
 
 @dataclass(frozen=True)
 class OrbitalForm(Form):
-    """Of a satellite at rest in the frame of its orbit, ω = ω0 n: the stiffness K of its orientation.
+    """A satellite at rest in the frame of its orbit, ω = ω0 n: the stiffness K of its orientation.
 
     Parameters
     ----------
     scene : System
-        at its numbers
+        at given numbers
     n, r : sequence of Expr, shape (3,)
         the normal of the orbit and the vertical, outwards, in body axes, exact
     locus : str
-        "" for a point, else the curve of equilibria to which it belongs, in words; of a body of revolution
+        "" for a point, else the curve of equilibria to which it belongs, in words; for a body of revolution
         the circle, and the verdict is modulo the turn about its axis
     """
 
@@ -53,37 +53,37 @@ class OrbitalForm(Form):
 
     @cached_property
     def directions(self) -> tuple[tuple[Expr, ...], ...]:
-        """n and r."""
+        """The directions n and r."""
         return tuple(self.n), tuple(self.r)
 
     @property
     def heading(self) -> str:
-        """The curve in words, if any."""
+        """The curve of equilibria in words, or the label."""
         return self.locus or self.label
 
     @property
     def at(self) -> Expr:
-        """The vertical along axis 3."""
+        """The symbol of the vertical along axis 3."""
         return symbol("r3")
 
     @property
     def described(self) -> tuple[tuple[str | Expr, Any], ...]:
-        """n and r."""
+        """The directions n and r, which tell it from others."""
         n, r = self.directions
         return ("n", n), ("r", r)
 
     @cached_property
     def point(self) -> tuple[Expr, ...]:
-        """π = ω0 In, n and r."""
+        """The point π = ω0 In, n and r."""
         return tuple(evaluate(x, {}) for x in resting_at(self.scene, *self.directions))
 
     @property
     def rates(self) -> dict[str, Expr]:
-        """Of the orbit."""
+        """The rate of the orbit."""
         return {"omega0": orbital_rate(self.scene)}
 
     def invariants(self, precision: int | None) -> Invariants:
-        """Of K, and of the sextic."""
+        """Return the invariants of K, and the coefficients of the sextic."""
         body, rate = self.scene.body, orbital_rate(self.scene)
         given = *body.tensor.tolist(), body.gyrostatic_momentum, self.n, self.r
         if precision is None:
@@ -93,7 +93,10 @@ class OrbitalForm(Form):
         return invariants(tensor, rotor, n, r, ball(rate, precision))
 
     def known(self) -> Decision | None:
-        """Where an integral is found by its report; on a curve, along which K is degenerate."""
+        """Return the decision of its report if there is an integral, and that on a curve of equilibria.
+
+        Along such a curve K is degenerate.
+        """
         if self.scene.linear_integrals:
             return Report(self.equilibrium).verdict({})
         if not self.locus:
@@ -102,16 +105,16 @@ class OrbitalForm(Form):
         return undecided(self.locus) if found is None else found
 
     def known_damped(self) -> Decision | None:
-        """The same."""
+        """Return the decision of its report under damping if there is an integral."""
         return Report(self.equilibrium).verdict({}, damped=True) if self.scene.linear_integrals else None
 
     def held(self) -> Decision:
-        """No theorem decides."""
+        """Return UNDECIDED: no theorem decides if gyroscopic forces alone stabilise it."""
         return OPEN
 
     @property
     def reached(self) -> bool:
-        """t·In and n·In − r·Ir do not both vanish."""
+        """Whether damping reaches every motion: t·In and n·In − r·Ir do not both vanish."""
         rows = self.scene.body.tensor.tolist()
         for precision in doubled(PRECISION):
             with own_precision(precision):
@@ -123,7 +126,7 @@ class OrbitalForm(Form):
 
 
 def balls(numbers: Sequence[Expr], precision: int) -> list[arb]:
-    """Enclosures, of numbers in a field without their expressions."""
+    """Return enclosures; those of numbers in a field need no expressions."""
     if isinstance(numbers, FieldNumbers):
         return numbers.balls(precision)
     return [ball(x, precision) for x in numbers]
@@ -131,15 +134,22 @@ def balls(numbers: Sequence[Expr], precision: int) -> list[arb]:
 
 def invariants(tensor: Sequence[Sequence[Any]], rotor: Sequence[Any], n: Sequence[Any], r: Sequence[Any],
                rate: Any) -> Invariants:
-    """Of K its trace, second invariant and determinant; the sextic, a cubic in λ², times det I.
+    """Return trace, second invariant and determinant of K; and the sextic, a cubic in λ², times det I.
 
-    In the basis (t, n, r): K = [[4ω0² (I_nn − I_rr) + ω0 l_n, −3ω0² I_tn, 0], [., 3ω0² (I_tt − I_rr),
-    3ω0² I_nr], [0, ., ω0² (I_nn − I_tt) + ω0 l_n]], g = (−ω0 I_tn, ω0 (I_tt + I_rr − I_nn) − l_n, 2ω0 I_nr).
+    The small motions obey I θ̈ + g × θ̇ + K θ = 0. In the basis (t, n, r):
+
+    K = [[4ω0² (I_nn − I_rr) + ω0 l_n, −3ω0² I_tn, 0],
+         [., 3ω0² (I_tt − I_rr), 3ω0² I_nr],
+         [0, ., ω0² (I_nn − I_tt) + ω0 l_n]],
+    g = (−ω0 I_tn, ω0 (I_tt + I_rr − I_nn) − l_n, 2ω0 I_nr).
+
+    The sextic is det(λ² I + λ hat(g) + K). Since det(A + hat(v)) = det A + v·A v for a symmetric A, its
+    coefficients of λ⁶, λ⁴, λ² and 1 are det I, tr(adj(I) K) + g·Ig, tr(adj(K) I) + g·Kg and det K.
 
     Parameters
     ----------
     tensor : rows, shape (3, 3)
-        here as below numbers, balls or expressions
+        numbers, balls or expressions, as rotor, n, r and rate
     rotor, n, r : sequence, shape (3,)
     rate : Any
         ω0
@@ -164,6 +174,6 @@ def invariants(tensor: Sequence[Sequence[Any]], rotor: Sequence[Any], n: Sequenc
 
 
 def unreached(tensor: Sequence[Sequence[Any]], n: Sequence[Any], r: Sequence[Any]) -> tuple[Any, Any]:
-    """t·In and n·In − r·Ir."""
+    """Return t·In and n·In − r·Ir."""
     along, vertical = ([dot(row, a) for row in tensor] for a in (n, r))
     return dot(cross(n, r), along), dot(n, along) - dot(r, vertical)

@@ -1,4 +1,4 @@
-"""What is asked of a scene: its names, exact numbers for them, and a rate, a level or a tilt."""
+"""Reads what is asked of a scene: its names, exact numbers for them, and a rate, a level or a tilt."""
 from collections.abc import Mapping
 from typing import Any
 
@@ -25,7 +25,7 @@ ASKED = (("omega",), ("pi3_0", "C1"), ("k3",), ("k3", "pi3_0"))
 
 
 def names_of(scene: System, instead: str = OTHERS) -> set[str]:
-    """Names of the moments, of l and of the parameters of U, of a body of revolution in a given U(k3).
+    """Return the names of moments, l and parameters of U, for a body of revolution in a given U(k3).
 
     Any other scene is refused, with what there is instead.
     """
@@ -68,9 +68,9 @@ def refuse_as_level(scene: System, name: str) -> None:
 
 
 def exact_point(scene: System, values: Mapping[str, Any], known: set[str]) -> Point:
-    """The values as exact numbers.
+    """Return the values as exact numbers.
 
-    No unknown names, and moments that are positive as far as they are given.
+    Unknown names are refused, and moments that are not positive, as far as they are given.
     """
     for name in values:
         if name not in known:
@@ -87,7 +87,7 @@ def exact_point(scene: System, values: Mapping[str, Any], known: set[str]) -> Po
 
 
 def asked_for(scene: System, values: Mapping[str, Any]) -> tuple[tuple[str, ...], Point]:
-    """By which names relative equilibria are asked for, and all numbers, exact."""
+    """Return by which names relative equilibria are asked for, and all numbers, exact."""
     needed = names_of(scene)
     ways = [names for names in ASKED if needed.isdisjoint(names)]
     extra = {name for names in ways for name in names}
@@ -109,12 +109,10 @@ def asked_for(scene: System, values: Mapping[str, Any]) -> tuple[tuple[str, ...]
 
 
 def asked_about(scene: System, values: Mapping[str, Any]) -> tuple[Recognition, dict[str, Any]] | None:
-    """What a scene is at its numbers, and what is asked of it in the names of the standard scene.
+    """Return what a scene is at given numbers, and what is asked in the names of the standard scene.
 
-    None if it is not of revolution.
-
-    About axis 1 the names are k1 and pi1_0, about an oblique axis c they are kc = k·c and pic_0 = π·c; omega
-    and C1 are the same in all.
+    None if it is not one of revolution. About axis 1 the names are k1 and pi1_0, about an oblique axis c they
+    are kc = k·c and pic_0 = π·c; omega and C1 are the same in all.
 
     Raises
     ------
@@ -141,8 +139,9 @@ def asked_about(scene: System, values: Mapping[str, Any]) -> tuple[Recognition, 
 
 
 def numbers_of_rotations(scene: System, values: Mapping[str, Any], free: str | None = None) -> Point:
-    """The values as exact numbers, one for every name of a scene without a field and for M, but for one that
-    is free.
+    """Return the values as exact numbers for every name of a scene without a field and for M.
+
+    One name may be free.
     """
     needed = {s.name for s in names_of_scene(scene)}
     refuse_as_level(scene, LENGTH.name)
@@ -162,9 +161,9 @@ def numbers_of_rotations(scene: System, values: Mapping[str, Any], free: str | N
 
 
 def without_pi(vector: Matrix, radius: Expr) -> tuple[Matrix, Expr, Expr]:
-    """A vector along with l, and abs(M), both divided by abs(M) where that is not algebraic; and the divisor.
+    """Return a vector along with l, and abs(M), both over abs(M) if that is not algebraic; and the divisor.
 
-    ν is the same, and algebraic where both have π.
+    ν is the same, and algebraic if both have π.
     """
     unit = S.One if radius.free_symbols or is_algebraic(radius) else radius
     return (vector / unit).expand(), radius / unit, unit

@@ -1,4 +1,4 @@
-"""All relative equilibria of a body of revolution in a given U(k3): E1, E2, every E3, regular precessions."""
+"""Finds all relative equilibria of a body of revolution in a given U(k3): E1, E2, E3, precessions."""
 from collections.abc import Mapping
 from dataclasses import replace
 from functools import lru_cache
@@ -32,7 +32,7 @@ _MOMENTS = frozenset(map(symbol, ("I1", "I2", "I3")))
 
 
 def revolution_forms(scene: System, values: Mapping[str, Any]) -> list[RevolutionForm]:
-    """Every relative equilibrium of a body of revolution in U(k3); as relative_equilibria says."""
+    """Return every relative equilibrium of a body of revolution in U(k3), as relative_equilibria says."""
     if scene.kind is Kind.FIELD and not scene.unspecified and (turned := asked_about(scene, values)):
         found, own = turned
         return _asked_of(SceneAtNumbers(found.standard, *asked_for(found.standard, own), found))
@@ -51,15 +51,15 @@ def _asked_of(here: "SceneAtNumbers") -> list[RevolutionForm]:
 
 
 def pole_at(scene: System, s: int, values: Mapping[str, Any]) -> RevolutionForm | None:
-    """E1 (s = 1) or E2 (s = −1) at values with omega; None where U is infinite."""
+    """Return E1 (s = 1) or E2 (s = −1) at values with omega; None if U is infinite there."""
     here = SceneAtNumbers(scene, *asked_for(scene, values))
     return next(iter(here.pole(s, s * here.I3 * here.numbers[OMEGA])), None)
 
 
 def critical_tilt(scene: System, k3: Expr, values: Mapping[str, Any]) -> Verdict:
-    """The verdict of an E3 at a fixed rate whose margin is known to vanish.
+    """Return the verdict of an E3 at a fixed rate whose margin is known to vanish.
 
-    What the first higher derivative of g says.
+    It is what the first higher derivative of g says.
 
     Parameters
     ----------
@@ -77,7 +77,7 @@ def critical_tilt(scene: System, k3: Expr, values: Mapping[str, Any]) -> Verdict
 
 @lru_cache(maxsize=256)
 def _report(potential: Potential, family: Family) -> Report:
-    """Of a family of the symbolic body in a field."""
+    """Return the report of a family of the symbolic body in a field."""
     scene = assemble(symmetric_gyrostat(), potential)
     # no name eliminated: that would ask its coefficient not to vanish
     if family is E3_AT_REST:
@@ -88,7 +88,7 @@ def _report(potential: Potential, family: Family) -> Report:
 
 
 class SceneAtNumbers:
-    """A scene at numbers: what is asked of it in different ways."""
+    """A scene at given numbers, and what is asked of it in different ways."""
 
     def __init__(self, scene: System, asked: tuple[str, ...], numbers: Point,
                  found: Recognition | None = None):
@@ -143,7 +143,7 @@ class SceneAtNumbers:
 
     @cached_property
     def found(self) -> Recognition:
-        """The scene at its numbers, and the axis."""
+        """The scene at given numbers, and the axis."""
         if self._found is not None:
             return self._found
         own = names_of_scene(self._scene)
@@ -151,7 +151,7 @@ class SceneAtNumbers:
         return Recognition(here, UNITS[2], here)
 
     def pole(self, s: int, pi3: Expr) -> list[RevolutionForm]:
-        """E1 or E2, none where U is infinite."""
+        """Return E1 or E2; none if U is infinite there."""
         if not self._defined(Integer(s)):
             return []
         report = _report(self.potential, POLES[s])
@@ -159,7 +159,7 @@ class SceneAtNumbers:
                                self._asked(report, {"pi3_0": pi3}))]
 
     def tilted(self, k3: Expr, omega: Expr, sigma: Expr, every: str = "") -> RevolutionForm:
-        """E3, or the precession that is E3 with the rotor l + I3 σ."""
+        """Return E3, or the precession that is E3 with the rotor l + I3 σ."""
         rest = proved_sign(omega) == 0
         report = _report(self.potential, E3_AT_REST if rest else E3)
         given = {"k3": k3, "l": self.l + self.I3 * sigma} if rest else {"k3": k3, "omega": omega}
@@ -168,7 +168,8 @@ class SceneAtNumbers:
                               self._asked(report, given), every)
 
     def _asked(self, report: Report, given: dict[str, Any]) -> dict[str, Any]:
-        """The numbers that a report takes, but for the name that its family expresses by the others."""
+        """Return the numbers that a report takes, without the name that its family expresses by the others.
+        """
         everything = {**{s.name: x for s, x in self.known.items()}, **given}
         return {n: x for n, x in everything.items() if n in report.parameters
                 and n not in report.equilibrium.eliminated}
@@ -178,7 +179,7 @@ class SceneAtNumbers:
         return ball(value, 64).is_finite() or sign_of_constant(value) is not None
 
     def _solved(self, relation: Expr, given: dict[Symbol, Expr], x: Symbol) -> list[Expr] | None:
-        """Where a relation vanishes.
+        """Return where a relation vanishes.
 
         All numbers are inserted at once, so that none is inserted into another.
         """

@@ -1,4 +1,4 @@
-"""A relative equilibrium of a body of revolution in U(k3), in the axes of its scene: what decides it."""
+"""Says what decides a relative equilibrium of a body of revolution in U(k3), in the axes of its scene."""
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any
@@ -23,19 +23,19 @@ PRECESSION = "precession"
 
 @dataclass(frozen=True)
 class RevolutionForm(Form):
-    """Of ω = omega k + sigma c, c the axis: E1, E2, E3 (sigma = 0), or a regular precession.
+    """A motion ω = omega k + sigma c, c the axis: E1, E2, E3 (sigma = 0), or a regular precession.
 
-    That is a periodic orbit of the Lie-Poisson field, and E3 of the body whose rotor carries l + I3 sigma.
-    The decision is that of the report of its family at these numbers.
+    A precession is a periodic orbit of the Lie-Poisson field, and E3 of the body whose rotor carries l + I3
+    sigma. The decision is that of the report of its family at these numbers.
 
     Parameters
     ----------
     label : str
         "E1", "E2", "E3" or PRECESSION
     found : Recognition
-        the scene at its numbers, and the axis
+        the scene at given numbers, and the axis
     k3 : Expr
-        k·c; of a continuum 0
+        k·c; for a continuum 0
     omega, sigma : Expr
         rate about the vertical, and about the axis on top of it [1/T]
     pi3 : Expr
@@ -45,7 +45,7 @@ class RevolutionForm(Form):
     asked : mapping of name to number
         at which it is asked
     every : str
-        of a continuum what takes every value beside k3: "" of none, "k3", or "omega" where the rates vary too
+        what takes every value in a continuum: "k3", or "omega" if the rates vary too; "" if it is none
     """
 
     label: str
@@ -60,29 +60,29 @@ class RevolutionForm(Form):
 
     @property
     def scene(self) -> System:  # type: ignore[override]
-        """At its numbers."""
+        """The scene at given numbers."""
         return self.found.scene
 
     @property
     def heading(self) -> str:
-        """E1, E2, E3 or a precession."""
+        """The label: E1, E2, E3 or a precession."""
         return self.label
 
     @property
     def at(self) -> Expr:
-        """A number at E1 and E2."""
+        """The number k3 at E1 and E2, else its symbol."""
         return self.k3 if self.found.scene is self.found.standard and self.k3**2 == 1 else symbol("k3")
 
     @property
     def described(self) -> tuple[tuple[str | Expr, Any], ...]:
-        """k·c, omega and sigma; None of what takes every value."""
+        """The values of k·c, omega and sigma; None for what takes every value."""
         rates = (None, None) if self.every == "omega" else (self.omega, self.sigma)
         return ((self.found.along(self.scene.space.coordinates[3:]), None if self.every else self.k3),
                 *zip((symbol("omega"), symbol("sigma")), rates))
 
     @property
     def place(self) -> dict[str, Expr | None]:
-        """k3, omega, sigma and pi3; of a scene in other axes its point."""
+        """The values of k3, omega, sigma and pi3; for a scene in other axes its point."""
         _, (_, omega), (_, sigma) = self.described
         if self.found.scene is self.found.standard:
             k3, pi3 = (None, None) if self.every else (self.k3, self.pi3)
@@ -92,7 +92,7 @@ class RevolutionForm(Form):
 
     @cached_property
     def point(self) -> tuple[Expr, ...]:
-        """π and k, k across axis 2 of the standard scene."""
+        """The point π, k with k across axis 2 of the standard scene."""
         k1 = S.Zero if self.k3**2 == 1 else sqrt(1 - self.k3**2)
         pi = self.found.standard.body.moments[0] * self.omega * k1, S.Zero, self.pi3
         return tuple(x for v in (pi, (k1, S.Zero, self.k3))
@@ -100,33 +100,33 @@ class RevolutionForm(Form):
 
     @property
     def rates(self) -> dict[str, Expr]:
-        """About the vertical, and about the axis on top of it."""
+        """The rates about the vertical, and about the axis on top of it."""
         return {"omega": self.omega, "sigma": self.sigma}
 
     @property
     def locus(self) -> str:
-        """Every tilt."""
+        """The words for every tilt, if it is one of a continuum."""
         return f"every {self.found.name} from −1 to 1" if self.every else ""
 
     @property
     def singular(self) -> bool:
-        """A tilt may be turned about the axis."""
+        """Whether the second variation is known to be degenerate: a tilt may be turned about the axis."""
         return self.k3**2 != 1
 
     @property
     def turns(self) -> bool:
-        """Where sigma is not 0."""
+        """Whether it is a precession: sigma is not 0."""
         return self.label == PRECESSION
 
     @cached_property
     def _spin(self) -> tuple[Expr, ...]:
-        """I3 sigma along the axis."""
+        """The momentum I3 sigma along the axis."""
         moment = self.found.standard.body.moments[2]
         return tuple(evaluate(moment * self.sigma * x, {}) for x in self.found.axis)
 
     @cached_property
     def held_scene(self) -> System:
-        """That of which it is an equilibrium: its rotor carries I3 sigma besides."""
+        """The scene of which it is an equilibrium: its rotor carries I3 sigma besides."""
         if proved_sign(self.sigma) == 0:
             return self.scene
         body = self.scene.body
@@ -135,43 +135,46 @@ class RevolutionForm(Form):
 
     @cached_property
     def equilibrium(self) -> Equilibrium:
-        """As a claimed point."""
+        """The same as a claimed point."""
         pi = (p - x for p, x in zip(self.point, self._spin))
         return equilibrium(self.held_scene, (*pi, *self.point[3:]), label=self.label)
 
     @cached_property
     def _heavy(self) -> HeavyForm:
-        """As a permanent rotation of a body in a field."""
+        """The same as a permanent rotation of a body in a field."""
         return HeavyForm(self.held_scene, self.point[3:], self.omega)
 
     @property
     def rational(self) -> bool:
-        """At rational k and omega."""
+        """Whether the spectrum is solved exactly: k and omega are rational."""
         return self._heavy.rational
 
     @property
     def reached(self) -> bool:
-        """As of a permanent rotation of a body in a field."""
+        """Whether damping reaches every motion, as for a permanent rotation of a body in a field."""
         return self._heavy.reached
 
     def invariants(self, precision: int | None) -> Invariants:
-        """As those of a permanent rotation of a body in a field."""
+        """Return the invariants, as for a permanent rotation of a body in a field."""
         return self._heavy.invariants(precision)
 
     def known(self) -> Decision:
-        """By the report of the family."""
+        """Return the decision by the report of the family."""
         return self._in_axes(self.report.verdict(self.asked))
 
     def known_damped(self) -> Decision | None:
-        """The same."""
+        """Return the decision under damping by the report of the family."""
         return self._in_axes(self.report.verdict(self.asked, damped=True))
 
     def known_point(self) -> Decision | None:
-        """The same."""
+        """Return the decision on the point itself by the report of the family."""
         return self._in_axes(self.report.itself(self.asked))
 
     def _in_axes(self, decision: Decision) -> Decision:
-        """In the axes of the scene; the margins, in the names of the standard one, go."""
+        """Return a decision in the axes of the scene.
+
+        Its margins, in the names of the standard scene, are left out.
+        """
         found = self.found
         if found.scene is found.standard:
             return decision
