@@ -2,7 +2,7 @@
 
 A scene is a body and a field, `assemble`d into a Lie-Poisson system; its equilibria (`upright`, `hanging`,
 `inclined`, …, or all by `relative_equilibria`) are analysed (`analyze`) into conditions and verdicts, and
-those solved for parameters (`stabilizing_set`). Beyond that: `gyrostat.derivation`, the steps to the
+those solved for parameters (`stabilizing_set`). Beyond that there are `gyrostat.derivation`, the steps to the
 conditions one by one; `gyrostat.charts`, verdicts over ranges of parameters; `gyrostat.trajectories`,
 motions; `gyrostat.mechanics`, the classical formulas; `gyrostat.plotting`, pictures; `gyrostat.published`,
 printed formulas checked; `gyrostat.questions`, a scene as a table in, an answer as data for JSON out. What

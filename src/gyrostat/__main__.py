@@ -1,4 +1,4 @@
-"""python -m gyrostat."""
+"""Runs the command line: python -m gyrostat."""
 import sys
 
 from .cli.parser import main

@@ -1,4 +1,4 @@
-"""How what is derived shows itself."""
+"""Says how what is derived shows itself: typeset in Jupyter, in Unicode as text."""
 from collections.abc import Callable
 from typing import Any, ClassVar
 
@@ -6,7 +6,7 @@ from typing import Any, ClassVar
 class Shown:
     """What Jupyter shows typeset and what prints as a person reads it.
 
-    The package root says how, printing stands above this.
+    The package root says how, since printing stands above this module.
     """
 
     formula: ClassVar[Callable[[Any], str]]                # in LaTeX

@@ -1,4 +1,4 @@
-"""What is loaded when it is used for the first time: the names of a package, a theorem."""
+"""Loads what is used for the first time: the names of a package, a theorem."""
 import sys
 from collections.abc import Callable, Mapping
 from importlib import import_module
@@ -6,7 +6,7 @@ from typing import Any
 
 
 def later(package: str, homes: Mapping[str, str]) -> tuple[Callable[[str], Any], Callable[[], list[str]]]:
-    """What a package has for __getattr__ and __dir__.
+    """Return what a package has for __getattr__ and __dir__.
 
     Parameters
     ----------
@@ -33,7 +33,7 @@ def later(package: str, homes: Mapping[str, str]) -> tuple[Callable[[str], Any],
 
 
 def loaded(home: str) -> Any:
-    """What is named module:name, below the package; the module is loaded when this is asked.
+    """Return what is named module:name, below the package; the module is loaded when this is asked.
 
     Examples
     --------

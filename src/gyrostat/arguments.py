@@ -1,4 +1,4 @@
-"""The kinds of the arguments of public verbs, asked for where they are called.
+"""Checks the kinds of the arguments of public verbs where they are called.
 
 A kind is what the annotation says: the reference, the type checker and the check read the same words.
 """
@@ -26,7 +26,7 @@ _NOT_SEVERAL = (str, bytes, bytearray, memoryview, Mapping, type)
 
 
 def checked(verb: Callable[P, R]) -> Callable[P, R]:
-    """The verb, with arguments refused that are of another kind than their annotations.
+    """Return the verb with a check that refuses arguments of another kind than their annotations.
 
     What is annotated as Any, and the numbers in a sequence or a mapping, are left to the verb.
 
@@ -39,7 +39,7 @@ def checked(verb: Callable[P, R]) -> Callable[P, R]:
     1.5
     >>> half("3")                                      # doctest: +ELLIPSIS
     Traceback (most recent call last):
-    gyrostat.errors.ArgumentError: number = '3' is a str, not a number: check the order and kind of ...
+    gyrostat.errors.ArgumentError: number = '3' is a str, not a number: ...
     """
     inner: Any = verb
     while hasattr(inner, "__wrapped__"):
@@ -61,7 +61,9 @@ def checked(verb: Callable[P, R]) -> Callable[P, R]:
 
 
 def several(given: Any, what: str, count: int | None = None) -> tuple[Any, ...]:
-    """The entries of a sequence, an array or a matrix, whose number is asked for before they are read.
+    """Return the entries of a sequence, an array or a matrix.
+
+    Their number is asked for before they are read.
 
     Parameters
     ----------
@@ -69,7 +71,7 @@ def several(given: Any, what: str, count: int | None = None) -> tuple[Any, ...]:
     what : str
         its name in a message
     count : int or None
-        how many there have to be; None: any number
+        how many there have to be; default: any number
 
     Raises
     ------
@@ -80,9 +82,9 @@ def several(given: Any, what: str, count: int | None = None) -> tuple[Any, ...]:
     --------
     >>> several([1, 2, 3], "axis", 3)
     (1, 2, 3)
-    >>> several("123", "axis", 3)
+    >>> several("123", "axis", 3)                      # doctest: +ELLIPSIS
     Traceback (most recent call last):
-    gyrostat.errors.ArgumentError: axis is a str, not several entries: give 3 in brackets, (1, 2, 3)
+    gyrostat.errors.ArgumentError: axis is a str, not several entries: ...
     """
     wanted = f"{count} in brackets, (1, 2, 3)" if count else "them in brackets, (1, 2)"
     if not _is_sequence(given):
@@ -93,7 +95,7 @@ def several(given: Any, what: str, count: int | None = None) -> tuple[Any, ...]:
 
 
 def _check_of(kind: Any) -> Check | None:
-    """What a value of another kind is not; None of a kind that is not checked."""
+    """Return the check that says what a value is not; None for a kind that is not checked."""
     origin, inside = get_origin(kind) or kind, get_args(kind)
     if origin in (Union, UnionType):
         checks = [_check_of(part) for part in inside]
@@ -123,7 +125,7 @@ def _one_of(checks: list[Check]) -> Check:
 
 
 def _entries_of(kind: Any) -> Check:
-    """Of a sequence; its entries are asked for, too, if they are no numbers."""
+    """Return the check of a sequence; its entries are checked, too, if they are no numbers."""
     asked = _is_pair(kind) or isinstance(kind, type) and not _of_mathematics(kind)
     inner = _check_of(kind) if asked else None
 
@@ -148,16 +150,16 @@ def _is(value: Any, kind: type) -> bool:
 
 
 def _is_sequence(value: Any) -> bool:
-    """Whether it has entries in an order: arrays and matrices have, a number of NumPy has not."""
+    """Tell whether it has entries in an order: arrays and matrices have, a number of NumPy has not."""
     return not isinstance(value, _NOT_SEVERAL) and hasattr(value, "__len__") and hasattr(
         value, "__getitem__") and getattr(value, "shape", None) != ()
 
 
 def _is_pair(kind: Any) -> bool:
-    """Whether it is a tuple of a number of entries, such as tuple[Any, Any]."""
+    """Tell whether it is a tuple of a number of entries, such as tuple[Any, Any]."""
     return get_origin(kind) is tuple and Ellipsis not in get_args(kind)
 
 
 def _of_mathematics(kind: type) -> bool:
-    """Whether it is a kind of numbers or expressions, which the verb makes exact."""
+    """Tell whether it is a kind of numbers or expressions, which the verb makes exact."""
     return kind in (int, float, object) or kind.__module__.startswith("sympy")

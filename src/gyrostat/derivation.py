@@ -2,7 +2,7 @@
 
 The bracket gives the tangent space of the coadjoint orbit (`orbit_tangent`), on which the field is linearised
 (`linearize`): its eigenvalues are the `spectral_criterion`, which is necessary. The symplectic slice
-(`symplectic_slice`) is what is left of the tangent space where the integrals are fixed and their flows are
+(`symplectic_slice`) is what is left of the tangent space if the integrals are fixed and their flows are
 divided out. The Hamiltonian with the Casimirs (`multipliers`) has a Hessian (`augmented_hessian`); on the
 slice it is the `second_variation`, and that it is definite is the `formal_criterion`, which is sufficient.
 Without the integrals, which damping does not keep, it is the `secular_variation`, with the

@@ -12,14 +12,15 @@ _LONG = re.compile(r"(\d{12})\d{49,}")                    # no message quotes su
 
 
 class GyrostatError(Exception):
-    """Base of all of them: ``except GyrostatError`` catches what the library refuses, and nothing else."""
+    """The base of all of them: ``except GyrostatError`` catches what the library refuses, and nothing else.
+    """
 
     def __str__(self) -> str:
         return _LONG.sub(r"\1…", printable(super().__str__()))
 
 
 def printable(text: str) -> str:
-    r"""The text with what would steer a terminal escaped; lines and tabs stay.
+    r"""Return the text with what would steer a terminal escaped; lines and tabs stay.
 
     Examples
     --------
@@ -36,7 +37,7 @@ def _escaped(c: str) -> str:
 
 
 def brief(value: object) -> str:
-    """A value as a message quotes it, at most 60 characters long."""
+    """Return a value as a message quotes it, at most 60 characters long."""
     if isinstance(value, str):
         return repr(value if len(value) <= 60 else value[:57] + "...")
     try:
@@ -58,7 +59,7 @@ def require(value: object, kind: type, what: str) -> None:
 
 
 def article(kind: type) -> str:
-    """The name of a kind with its article."""
+    """Return the name of a kind with its article."""
     return f"a{'n' if kind.__name__[0] in 'AEIOUaeiou' else ''} {kind.__name__}"
 
 
@@ -128,13 +129,13 @@ _EXTRAS = {
 
 
 def optional(module: str, extra: str) -> ModuleType:
-    """A module that the extra brings, imported when it is first used."""
+    """Return a module that the extra brings, imported when it is first used."""
     needed({module: extra})
     return import_module(module)
 
 
 def needed(extras: Mapping[str, str]) -> None:
-    """Refuse where one of the modules is missing, of which each is brought by its extra.
+    """Raise MissingExtraError if one of the modules is missing, each of which its extra brings.
 
     All that is missing of these extras is named at once.
     """

@@ -13,7 +13,7 @@ from .errors import ArgumentError, article, brief
 
 
 class Use(Enum):
-    """What a name is for; that decides in which expressions of a scene it may stand."""
+    """What a name is for, which decides in which expressions of a scene it may stand."""
 
     BODY = "a moment of the body: it may stand anywhere in a scene, and means that moment"
     FIELD = "a parameter of the named fields: in an expression of your own it is a parameter of yours"
@@ -29,7 +29,7 @@ class Use(Enum):
 class Entry:
     """What one name means; dimension (a, b) and length c stand for [M L²]ᵃ [T]⁻ᵇ [L]ᶜ.
 
-    Where the name is somebody else's, one of the names in `instead` is proposed, or taken.
+    If the name is somebody else's, one of the names in `instead` is proposed, or taken.
     """
 
     name: str
@@ -44,7 +44,7 @@ class Entry:
 
 
 def units(energy: int, rate: int, length: int) -> str:
-    """[M L²]ᵃ [T]⁻ᵇ [L]ᶜ in SI, such as kg m2 s-1; 1 for a pure number."""
+    """Return [M L²]ᵃ [T]⁻ᵇ [L]ᶜ in SI, such as kg m2 s-1; 1 for a pure number."""
     powers = (("kg", energy), ("m", 2 * energy + length), ("s", -rate))
     return " ".join(unit if power == 1 else f"{unit}{power}" for unit, power in powers if power) or "1"
 
@@ -53,12 +53,12 @@ _JET = re.compile(r"d(\d*)U(?:_([123]+))?")
 
 
 def jet_name(order: int, axes: str = "") -> str:
-    """Name of a derivative of U: dU, d2U, d3U, … in k3, or d2U_13, … in k1 and k3."""
+    """Return the name of a derivative of U: dU, d2U, d3U, … in k3, or d2U_13, … in k1 and k3."""
     return f"d{order if order > 1 else ''}U{'_' + axes if axes else ''}"
 
 
 def jet(name: str) -> tuple[int, str] | None:
-    """Order and axes of the derivative of U that a name stands for, None if it stands for none."""
+    """Return order and axes of the derivative of U that a name stands for, None if it stands for none."""
     match = _JET.fullmatch(name)
     if match is None or match[1] in ("0", "1") or match[1].startswith("0"):
         return None
@@ -71,7 +71,7 @@ _SUB = "₀₁₂₃₄₅₆₇₈₉"
 
 
 def _table() -> Mapping[str, Entry]:
-    """Names of the mathematics, in the order in which they are written in formulas."""
+    """Return the names of the mathematics, in the order in which they are written in formulas."""
     rows = [Entry(f"pi{i}_0", rf"\pi_{i}^0", f"π{_SUB[i]}⁰", (1, 1), f"π{i} at the equilibrium", instead="P")
             for i in (1, 2, 3)]
     rows += [Entry(f"omega{i}_0", rf"\omega_{i}^0", f"ω{_SUB[i]}⁰", (0, 1),
@@ -114,7 +114,7 @@ def _table() -> Mapping[str, Entry]:
 
 
 def _beside() -> Iterator[Entry]:
-    """Names of the motion that no criterion is written in, those of the angles, of the time and of levels."""
+    """Yield names of the motion that no criterion is written in, those of angles, time and levels."""
     for i in (1, 2, 3):
         yield Entry(f"omega{i}", rf"\omega_{i}", f"ω{_SUB[i]}", (0, 1), f"body rate about axis {i}",
                     instead="Omega w")
@@ -133,7 +133,7 @@ def _beside() -> Iterator[Entry]:
 
 
 def _printed() -> Iterator[Entry]:
-    """Letters of what is printed, with those that take their place where a scene has them.
+    """Yield the letters of what is printed, with those that take their place if a scene has them.
 
     C_ stands for the letter with numbers below it, C1 and C2, and K* for the letter with them and without.
     """
@@ -170,7 +170,7 @@ _PLACES = MappingProxyType({name: place for place, name in enumerate(NOTATION)})
 
 @lru_cache(maxsize=4096)                                # a second symbol of one name is equal to the first
 def symbol(name: str) -> Symbol:
-    """The one symbol of that name; names that are not in the table are real parameters.
+    """Return the one symbol of that name; names that are not in the table are real parameters.
 
     Parameters
     ----------
@@ -184,12 +184,13 @@ def symbol(name: str) -> Symbol:
     Raises
     ------
     ArgumentError
-        the name is no text
+        the name is not a text
 
     Examples
     --------
     >>> import gyrostat as gs
-    >>> gs.symbol("I1").is_positive, gs.symbol("a").is_positive, gs.symbol("a").is_real
+    >>> moment, own = gs.symbol("I1"), gs.symbol("a")
+    >>> moment.is_positive, own.is_positive, own.is_real
     (True, None, True)
     """
     if not isinstance(name, str):
@@ -202,17 +203,17 @@ def symbol(name: str) -> Symbol:
 
 
 def components(name: str) -> tuple[Symbol, Symbol, Symbol]:
-    """The symbols of the three components of a vector: k1, k2, k3."""
+    """Return the symbols of the three components of a vector: k1, k2, k3."""
     return symbol(f"{name}1"), symbol(f"{name}2"), symbol(f"{name}3")
 
 
 def own(expression: Expr) -> Expr:
-    """The same expression in our symbols, matched by name."""
+    """Return the same expression in our symbols, matched by name."""
     return expression.xreplace({s: symbol(s.name) for s in expression.free_symbols if s != symbol(s.name)})
 
 
 def dimension_of(name: str) -> tuple[int, int, int] | None:
-    """The dimension of a name, (a, b, c) for [M L²]ᵃ [T]⁻ᵇ [L]ᶜ; None of a parameter of the user.
+    """Return the dimension (a, b, c) of a name, [M L²]ᵃ [T]⁻ᵇ [L]ᶜ; None for a parameter of the user.
 
     Examples
     --------
@@ -226,9 +227,9 @@ def dimension_of(name: str) -> tuple[int, int, int] | None:
 
 
 def order(name: str) -> tuple[int, str, int]:
-    """Where a name stands among others: as in the table, derivatives of U with U, rates with what changes.
+    """Return the place of a name among others: as in the table, derivatives with U, rates with coordinates.
 
-    Parameters of the user before k, a mass first, as in m g z0, the others by name, a2 before a10.
+    Parameters of the user come before k, a mass first, as in m g z0, the others by name, a2 before a10.
 
     Examples
     --------
@@ -243,7 +244,7 @@ def order(name: str) -> tuple[int, str, int]:
 
 
 class Stored:
-    """Dataclasses that are pickled without what was derived: that is derived again where it is asked for."""
+    """The base of dataclasses that are pickled without what is derived, which is then derived again."""
 
     def __getstate__(self) -> dict[str, Any]:
         return {field.name: getattr(self, field.name) for field in fields(self)}  # type: ignore[arg-type]

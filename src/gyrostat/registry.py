@@ -1,4 +1,4 @@
-"""What the table of names decides: which names an expression may have, and which letters the print takes."""
+"""Says by the table of names which names an expression may have, and which letters the print takes."""
 import re
 from collections.abc import Collection, Iterable, Sequence
 from itertools import chain, count
@@ -22,7 +22,7 @@ _IN_PROSE = re.compile(r"\b(?:C[123]|D[46]?|K|U)\b")
 
 
 def use_of(name: str) -> Use | None:
-    """What a name is for; None of a parameter of the user, which may stand anywhere in a scene.
+    """Return what a name is for; None for a parameter of the user, which may stand anywhere in a scene.
 
     Examples
     --------
@@ -35,7 +35,7 @@ def use_of(name: str) -> Use | None:
 
 
 def refused(symbols: Iterable[Symbol], *also: Use) -> list[str]:
-    """The names that an expression of a scene may not depend on, the time before others.
+    """Return the names that an expression of a scene may not depend on, the time before others.
 
     Parameters
     ----------
@@ -46,15 +46,17 @@ def refused(symbols: Iterable[Symbol], *also: Use) -> list[str]:
     Examples
     --------
     >>> from gyrostat.notation import symbol
-    >>> refused(map(symbol, ("l", "I1", "t", "h"))), refused([symbol("l")], Use.ROTOR)
-    (['t', 'l'], [])
+    >>> refused(map(symbol, ("l", "I1", "t", "h")))
+    ['t', 'l']
+    >>> refused([symbol("l")], Use.ROTOR)
+    []
     """
     taken = sorted(s.name for s in symbols if use_of(s.name) not in _ADMITTED.union(also))
     return sorted(taken, key=lambda name: use_of(name) is not Use.TIME)
 
 
 def free_letters(names: Iterable[str], taken: Collection[str]) -> dict[str, str]:
-    """A letter for each parameter that cannot have its name.
+    """Return a letter for each parameter that cannot have its name.
 
     Parameters
     ----------
@@ -76,12 +78,15 @@ def free_letters(names: Iterable[str], taken: Collection[str]) -> dict[str, str]
 
 
 def why_refused(names: Sequence[str], taken: Collection[str]) -> str:
-    """What the refused names are, two of them at most, and what to write in their place.
+    """Return what the refused names are, two of them at most, and what to write in their place.
 
     Examples
     --------
-    >>> why_refused(["l"], ["l", "M"])
-    'l, the gyrostatic momentum of the rotor: for a number of your own write another letter, such as L'
+    >>> what, todo = why_refused(["l"], ["l", "M"]).split(": ")
+    >>> what
+    'l, the gyrostatic momentum of the rotor'
+    >>> todo
+    'for a number of your own write another letter, such as L'
     """
     if use_of(names[0]) is Use.TIME:
         return f"{names[0]}, the time: {AUTONOMOUS}"
@@ -109,7 +114,7 @@ def check_names(expressions: Iterable[Expr], what: str, error: type[GyrostatErro
     >>> from gyrostat.notation import symbol
     >>> check_names([symbol("t")], "the rotor", BodyError)  # doctest: +ELLIPSIS
     Traceback (most recent call last):
-    gyrostat.errors.BodyError: the rotor depends on t, the time: the criteria are for autonomous fields ...
+    gyrostat.errors.BodyError: the rotor depends on t, the time: the ...
     """
     found = set[Symbol]().union(*(e.free_symbols for e in expressions))
     if names := refused(found, *also):
@@ -117,21 +122,21 @@ def check_names(expressions: Iterable[Expr], what: str, error: type[GyrostatErro
 
 
 def what_they_are(names: Sequence[str]) -> str:
-    """The first two of some names, each with what it is."""
+    """Return the first two of some names, each with what it is."""
     return " and ".join(f"{name}, the {_meaning(name)}" for name in names[:2])
 
 
 def _meaning(name: str) -> str:
-    """What a name is, in a few words."""
+    """Return what a name is, in a few words."""
     if name not in _ENTRIES:
         return "derivative of U" if jet(name) else "rate of a coordinate"
     return _ENTRIES[name].meaning.split(":")[0]
 
 
 class Letters:
-    """The letters of what is printed of a scene: where the scene has one of them, another takes its place.
+    """The letters in which a scene is printed: if the scene has one of them, another takes its place.
 
-    All vectors are bold where one of them looks like a name of the scene.
+    All vectors are bold if one of them looks like a name of the scene.
 
     Parameters
     ----------
@@ -143,8 +148,10 @@ class Letters:
     Examples
     --------
     >>> letters = Letters(["h", "C1"])
-    >>> letters.of("h"), letters.of("g"), letters.of("C2"), letters.text("⟨vector_k_dot⟩ = ⟨vector_k⟩ × ω")
-    ('E', 'g', 'Z2', 'k̇ = k × ω')
+    >>> letters.of("h"), letters.of("g"), letters.of("C2")
+    ('E', 'g', 'Z2')
+    >>> letters.text("⟨vector_k_dot⟩ = ⟨vector_k⟩ × ω")
+    'k̇ = k × ω'
     """
 
     def __init__(self, names: Iterable[str] = (), directions: Iterable[str] = ()):
@@ -158,13 +165,13 @@ class Letters:
                 self._chosen[key] = self._other(key, entry.instead.split())
 
     def _has(self, key: str) -> bool:
-        """Whether a name of the scene looks like a letter of the print, or like one of its numbered ones."""
+        """Tell whether a name of the scene looks like a letter of the print, or one of its numbered ones."""
         look = typeset(key.rstrip("_*"), style="text")
         numbered = any(x.startswith(look) and _NUMBER.fullmatch(x[len(look):]) for x in self._looks)
         return numbered and key[-1] in "_*" or look in self._looks and key[-1] != "_"
 
     def _other(self, key: str, instead: Iterable[str]) -> str:
-        """A letter that neither the scene nor the print has, with or without numbers as this one."""
+        """Return a letter that neither the scene nor the print has, with or without numbers as this one."""
         own = key.rstrip("_*")
         kind = key[len(own):]
         ours = {k.rstrip("_*") for k in _PRINTED if "*" in k + kind or k.endswith("_") == (kind == "_")}
@@ -173,7 +180,7 @@ class Letters:
         return next(free, own)
 
     def of(self, name: str) -> str:
-        """The name that a letter of the print has here.
+        """Return the name that a letter of the print has here.
 
         Parameters
         ----------
@@ -188,15 +195,15 @@ class Letters:
         return chosen + name[len(letter):]
 
     def latex(self, template: str) -> str:
-        """A template of LaTeX with the names that its letters have here, as in ⟨h⟩ = ⟨C1⟩."""
+        """Return a template of LaTeX with the names that its letters have here, as in ⟨h⟩ = ⟨C1⟩."""
         return _PLACE.sub(lambda place: f"⟨{self._renamed(place[1])}⟩", template)
 
     def text(self, template: str) -> str:
-        """A template of Unicode with its letters."""
+        """Return a template of Unicode with its letters."""
         return _PLACE.sub(lambda place: look(self._renamed(place[1])), template)
 
     def prose(self, text: str) -> str:
-        """A sentence of a decision with its letters: C1, D4, K and the like."""
+        """Return a sentence of a decision with its letters: C1, D4, K and the like."""
         def other(name: re.Match[str]) -> str:
             return name[0] if (letter := self.of(name[0])) == name[0] else look(letter)
         return _IN_PROSE.sub(other, text)

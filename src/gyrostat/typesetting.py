@@ -1,4 +1,4 @@
-"""How names are set, in LaTeX and in Unicode: those of the table, and a user's parameters."""
+"""Sets names in LaTeX and in Unicode: those of the table, and a user's parameters."""
 import re
 from types import MappingProxyType
 from typing import Any
@@ -7,7 +7,7 @@ from .notation import NOTATION, jet
 
 
 def typeset(name: str, at: Any = None, style: str = "latex") -> str:
-    """A name as it is printed; derivatives of U take their argument from at."""
+    """Return a name as it is printed; derivatives of U take their argument from `at`."""
     if order_axes := jet(name):
         return _typeset_jet(*order_axes, at, style)
     if entry := NOTATION.get(name):
@@ -40,7 +40,7 @@ _NAME = re.compile(r"([A-Za-z]+?)(?:_?(\d+))?(?:_([A-Za-z][A-Za-z0-9]*))?")
 
 
 def _typeset_parameter(name: str, style: str) -> str:
-    """A user's parameter: a letter or Greek name with its subscripts, a word upright, else as it is."""
+    """Return a user's parameter: a letter or Greek name with subscripts, a word upright, else as it is."""
     latex = style == "latex"
     if rate := re.fullmatch(r"(\w+)_(d?dot)", name):        # a rate: one dot, or two in phi_ddot
         inner = _typeset_parameter(rate[1], style)
@@ -63,7 +63,7 @@ def _typeset_parameter(name: str, style: str) -> str:
 
 
 def look(name: str) -> str:
-    """What print shows of a letter of its own: of vector_k, bold_k, of the rate vector_k_dot, of a name.
+    """Return what print shows for a letter of its own: vector_k, bold_k, the rate vector_k_dot, a name.
 
     Examples
     --------
@@ -81,7 +81,7 @@ def look(name: str) -> str:
 
 
 def _bold(letter: str) -> str:
-    """A Latin or Greek letter in bold, anything else as it is."""
+    """Return a Latin or Greek letter in bold, anything else as it is."""
     for first, last, bold in (("A", "Z", "𝐀"), ("a", "z", "𝐚"), ("α", "ω", "𝛂")):
         if first <= letter <= last:
             return chr(ord(bold) + ord(letter) - ord(first))

@@ -1,4 +1,4 @@
-"""A verdict, turned into the values of a parameter for which it holds.
+"""Turns a verdict into the values of a parameter for which it holds.
 
 `solve` solves one condition for one parameter, with the `cases` of the others, and gives `sets` of intervals
 with exact ends. With numbers for the others, `line_decomposition` cuts the line of the parameter where a

@@ -1,6 +1,6 @@
-"""Cases of the other parameters while a condition is solved for one.
+"""Distinguishes cases of the other parameters while a condition is solved for one.
 
-What is known in each, and which ends belong to the set.
+A case knows what is positive in it, and which ends belong to the set.
 """
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
@@ -18,16 +18,16 @@ Relations = tuple[tuple[Expr, str], ...]
 
 
 class Closed:
-    """Every end belongs to the set: a condition that is not strict."""
+    """The ends of a condition that is not strict: every end belongs to the set."""
 
     def ladder(self, limit: int | None = None) -> Ladder:
-        """The first is positive."""
+        """Return the ladder whose first rung is positive."""
         return INCLUDED
 
 
 @dataclass(frozen=True)
 class Context:
-    """What is known where a case is worked out."""
+    """What is known in the case that is worked out."""
 
     x: Symbol
     boundary: Ends | None
@@ -36,7 +36,7 @@ class Context:
     inserted: tuple[tuple[Symbol, Expr], ...] = ()
 
     def signs(self, expression: Expr) -> Iterator[tuple[int, "Context"]]:
-        """Each sign the expression may have, with what is known then."""
+        """Yield each sign the expression may have, with what is known then."""
         value = self.insert(expression)
         known = Signs.over([value], self.domain)
         margin, even = known.margin(value)
@@ -66,7 +66,8 @@ class Context:
         return expression
 
     def _vanishing(self, expression: Expr) -> "Context":
-        """Where an expression is 0, solved for a parameter it is affine in, if there is one."""
+        """Return the case in which an expression is 0, solved for a parameter in which it is affine, if any.
+        """
         when = (*self.when, (-expression if expression.could_extract_minus_sign() else expression, "="))
         for s in sorted(expression.free_symbols - {self.x}, key=lambda s: (bool(s.is_positive), s.name)):
             if not (solved := affine(expression, s)):
@@ -82,9 +83,9 @@ class Context:
         return replace(self, when=when)
 
     def ladder(self, end: Expr) -> Ladder:
-        """When the end belongs to the set.
+        """Return when the end belongs to the set.
 
-        The rungs of the boundary there, as far as their signs are not known.
+        These are the rungs of the boundary there, as far as their signs are not known.
         """
         if self.boundary is None:
             return EXCLUDED
@@ -112,12 +113,12 @@ class Context:
         return self.case(Interval(-oo, oo))
 
     def beyond(self, low: Expr, high: Expr) -> Case:
-        """Outside low ≤ x ≤ high, and the ends where they are decided so."""
+        """Return the case outside low ≤ x ≤ high, with the ends if they are decided so."""
         return self.case(Interval(-oo, low, EXCLUDED, self.ladder(low)),
                          Interval(high, oo, self.ladder(high), EXCLUDED))
 
     def root(self, expression: Expr) -> Expr:
-        """√ of what is positive, with the squares that are known to be positive taken out."""
+        """Return √ of what is positive, with the squares that are known to be positive taken out."""
         value = self.insert(expression)
         known = Signs.over([value], self.domain)
         ring = known.ring
@@ -134,6 +135,6 @@ class Context:
         return outside * sqrt(inside)
 
     def over(self, plain: Expr, root: Expr, bottom: Expr) -> Expr:
-        """(plain + root)/bottom, each part in lowest terms."""
+        """Return (plain + root)/bottom, each part in lowest terms."""
         below = self.insert(bottom)
         return lowest_terms(self.insert(plain) / below) + lowest_terms(self.insert(root) / below)

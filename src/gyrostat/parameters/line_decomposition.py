@@ -1,4 +1,4 @@
-"""One-dimensional cylindrical algebraic decomposition: a parameter's line, cut where a verdict may change.
+"""Cuts a parameter's line where a verdict may change: a one-dimensional cylindrical decomposition.
 
 All other parameters are numbers; the verdict is proved between the cuts and at them.
 """
@@ -26,7 +26,7 @@ Cell = tuple[Expr, Expr, bool | None]
 
 def cut(report: Report, x: Symbol, numbers: Point, low: Expr | None, high: Expr | None,
         also: Sequence[Expr] = ()) -> list[Cell]:
-    """Between and at the roots of everything whose sign matters."""
+    """Return the cells between and at the roots of everything whose sign matters."""
     conditions = [c for criterion in (report.necessary, report.sufficient) for a in criterion.alternatives
                   for c in a]
     expressions = [*(e for c in conditions for e in (c.margin, *c.degenerate)),
@@ -45,7 +45,10 @@ def cut(report: Report, x: Symbol, numbers: Point, low: Expr | None, high: Expr 
 
 def _cells(report: Report, x: Symbol, numbers: Point, bounds: Sequence[Expr],
            windows: Callable[[], list[Expr] | None] | None = None) -> Iterator[Cell]:
-    """Between the bounds, all that is at one point; at them each by itself. Windows are cut further."""
+    """Yield the cells between bounds, one for each, and at the bounds; windows are cut further.
+
+    What holds at one point between two bounds holds everywhere between them, except in windows.
+    """
     for n, (a, b) in enumerate(pairwise(bounds)):
         if n:
             yield a, a, stable_at(report, x, a, numbers)
@@ -60,8 +63,9 @@ def _cells(report: Report, x: Symbol, numbers: Point, bounds: Sequence[Expr],
 
 def _in_window(report: Report, x: Symbol, numbers: Point, low: Expr | None,
                high: Expr | None) -> list[Expr] | None:
-    """Where a window may end or be resonant, or D4 is 0: between these values Arnold's condition holds
-    everywhere in it, or nowhere; None: not known.
+    """Return where a window may end or be resonant, or D4 is 0; None if that is not known.
+
+    Between these values Arnold's condition holds everywhere in a window, or nowhere.
     """
     eq = report.equilibrium
     if eq.system.coupled:                                  # of a symmetric satellite, as its axis moves
@@ -75,26 +79,26 @@ def _in_window(report: Report, x: Symbol, numbers: Point, low: Expr | None,
 
 
 def _numerators(expression: Expr, x: Symbol) -> list[Expr]:
-    """Numerator and denominator, as far as they contain x."""
+    """Return numerator and denominator, as far as they contain x."""
     ring = Ring([expression])
     parts = [ring.expression(ring.reduce(part)) for part in ring.fraction(expression)]
     return [part for part in parts if x in part.free_symbols]
 
 
 def stable_at(report: Report, x: Symbol, value: Expr, numbers: Point) -> bool | None:
-    """Whether the equilibrium exists at a value and is stable there; None where neither is proved."""
+    """Tell whether the equilibrium exists at a value and is stable there; None if neither is proved."""
     return _stable(_decision(report, x, value, numbers))
 
 
 def _stable(decision: Decision | None) -> bool | None:
-    """What a decision says, None of which is that nothing exists."""
+    """Return what a decision says; a decision None says that nothing exists."""
     if decision is None:
         return False
     return None if decision.verdict is Verdict.UNDECIDED else decision.verdict is Verdict.STABLE
 
 
 def _decision(report: Report, x: Symbol, value: Expr, numbers: Point) -> Decision | None:
-    """The verdict at a value, None where the equilibrium does not exist."""
+    """Return the decision at a value; None if the equilibrium does not exist there."""
     at = Point({**numbers, x: value})
     values = [evaluate(e, at) for e in report.equilibrium.existence()]
     if any(not ball(value, 64).is_finite() or proved_sign(value) != 1 for value in values):
@@ -106,7 +110,7 @@ def _decision(report: Report, x: Symbol, value: Expr, numbers: Point) -> Decisio
 
 
 def joined(cells: Sequence[Cell], wanted: bool | None = True) -> tuple[Interval, ...]:
-    """Cells that touch and are all stable, or all of another kind, as one interval."""
+    """Return cells that touch and are all stable, or all of another kind, as one interval each."""
     found: list[Interval] = []
     for low, high, stable in cells:
         if stable is not wanted:
@@ -121,7 +125,10 @@ def joined(cells: Sequence[Cell], wanted: bool | None = True) -> tuple[Interval,
 
 
 def joined_apart(cells: Sequence[Cell], turns: Sequence[Expr]) -> list[Interval]:
-    """As joined, but separated where the name turns; a turn belongs to both sides if it is stable."""
+    """Return joined cells, but separated where the name turns.
+
+    A turn belongs to both sides if it is stable.
+    """
     runs: list[list[Cell]] = [[]]
     for cell in cells:
         runs[-1].append(cell)

@@ -1,7 +1,4 @@
-"""Sets of one parameter.
-
-Unions of intervals with exact ends, distinguished by cases of the other parameters.
-"""
+"""Sets of one parameter: unions of intervals with exact ends, by cases of the other parameters."""
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
@@ -26,22 +23,25 @@ INCLUDED: Ladder = (S.One,)
 
 @dataclass(frozen=True)
 class Interval:
-    """What lies between two ends.
+    """An interval between two ends.
 
     Parameters
     ----------
     low, high : Expr
-        −oo and oo where there is no end
+        −oo and oo if there is no end
     low_if, high_if : tuple
-        the end belongs to it iff the first of these that is not 0 is positive: () never, (1,) always
+        the end belongs to it if and only if the first of these that is not 0 is positive: () never, (1,)
+        always
     tilt : (Expr, Expr) or None
-        k3 at the ends, where the interval is that of a family of E3
+        k3 at the ends, if the interval is that of a family of E3
 
     Examples
     --------
     >>> import gyrostat as gs
-    >>> report = gs.analyze(gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())))
-    >>> solution = gs.stabilizing_set(report, "l", {"I1": 1, "m0": 1, "pi3_0": 5})
+    >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
+    >>> report = gs.analyze(gs.upright(top))
+    >>> given = {"I1": 1, "m0": 1, "pi3_0": 5}
+    >>> solution = gs.stabilizing_set(report, "l", given)
     >>> interval = solution.parts[0].cases[0].intervals[0]
     >>> interval.low, interval.high, interval.high_if
     (-oo, -7, (1,))
@@ -68,8 +68,10 @@ class Case:
     Examples
     --------
     >>> import gyrostat as gs
-    >>> report = gs.analyze(gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())))
-    >>> solution = gs.stabilizing_set(report, "l", {"I1": 1, "m0": 1, "pi3_0": 5})
+    >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
+    >>> report = gs.analyze(gs.upright(top))
+    >>> given = {"I1": 1, "m0": 1, "pi3_0": 5}
+    >>> solution = gs.stabilizing_set(report, "l", given)
     >>> (case,) = solution.parts[0].cases
     >>> case.when, len(case.intervals)
     ((), 2)
@@ -81,7 +83,7 @@ class Case:
 
 @dataclass(frozen=True)
 class SolvedCondition:
-    """One inequality solved for the name: its cases exclude each other and cover everything.
+    """An inequality solved for the name: its cases exclude each other and cover everything.
 
     Parameters
     ----------
@@ -97,8 +99,10 @@ class SolvedCondition:
     Examples
     --------
     >>> import gyrostat as gs
-    >>> report = gs.analyze(gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())))
-    >>> solution = gs.stabilizing_set(report, "l", {"I1": 1, "m0": 1, "pi3_0": 5})
+    >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
+    >>> report = gs.analyze(gs.upright(top))
+    >>> given = {"I1": 1, "m0": 1, "pi3_0": 5}
+    >>> solution = gs.stabilizing_set(report, "l", given)
     >>> [part.meaning for part in solution.parts]
     ['stable']
     """
@@ -111,7 +115,7 @@ class SolvedCondition:
 
 @dataclass(frozen=True, repr=False)
 class Solution(Shown, Stored):
-    """The set of one parameter where all parts hold, but those that are called undecided.
+    """The set of one parameter where all parts hold, except for those that are called undecided.
 
     Parameters
     ----------
@@ -121,10 +125,11 @@ class Solution(Shown, Stored):
     Examples
     --------
     >>> import gyrostat as gs
-    >>> report = gs.analyze(gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())))
-    >>> solution = gs.stabilizing_set(report, "l", {"I1": 1, "m0": 1, "pi3_0": 5})
+    >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
+    >>> report = gs.analyze(gs.upright(top))
     >>> given = {"I1": 1, "m0": 1, "pi3_0": 5}
-    >>> solution.contains(given | {"l": 0}), solution.contains(given | {"l": -5})
+    >>> solution = gs.stabilizing_set(report, "l", given)
+    >>> tuple(solution.contains(given | {"l": l}) for l in (0, -5))
     (True, False)
     """
 
@@ -133,9 +138,9 @@ class Solution(Shown, Stored):
 
     @checked
     def contains(self, values: Mapping[str, Any]) -> bool | None:
-        """Whether the set contains a value, at numbers for all names.
+        """Tell whether the set contains a value, at numbers for all names.
 
-        Exact, None where nothing is proved, or a sign is not.
+        The answer is exact; None if nothing is proved there, or a sign is not.
 
         Parameters
         ----------
@@ -156,7 +161,7 @@ class Solution(Shown, Stored):
         numbers = Point({symbol(name): exact_number(value, name) for name, value in values.items()})
         if doubtful := [s for s, x in numbers.items() if s.is_positive and not is_positive(s.name, x)]:
             raise ValuesError(f"whether {doubtful[0]} = {numbers[doubtful[0]]} is positive is not proved: "
-                              "write it with rationals, roots")
+                              "write it with rationals and roots")
         answers = [(part.meaning, _in_part(part, symbol(self.name), numbers)) for part in self.parts]
         if any(answer is False and meaning in ("exists", "necessary") for meaning, answer in answers):
             return False
@@ -191,7 +196,7 @@ def _inside(interval: Interval, value: Expr, numbers: Point) -> bool | None:
 
 
 def _first(ladder: Ladder, numbers: Point) -> bool | None:
-    """Whether the first that is not 0 is positive."""
+    """Tell whether the first rung that is not 0 is positive; it is not if all are 0."""
     for rung in ladder:
         sign = _sign(rung, numbers)
         if sign != 0:

@@ -1,6 +1,6 @@
-"""A condition solved for one parameter in closed form.
+"""Solves a condition for one parameter in closed form, with the cases of the others.
 
-Linear, quadratic, or quadratic in its square, with the cases of the others.
+The condition is linear, quadratic, or quadratic in the square of the parameter.
 """
 from collections.abc import Iterator, Sequence
 
@@ -22,9 +22,9 @@ CLOSED = Closed()
 @checked
 def solve_condition(condition: Condition, name: str, boundary: Ends | None = None,
                     domain: Sequence[Expr] = ()) -> SolvedCondition:
-    """The exact set of one parameter where a strict condition holds.
+    """Return the exact set of one parameter where a strict condition holds.
 
-    Of its ends those belong to it that the boundary criterion calls stable.
+    Those of its ends belong to it that the boundary criterion calls stable.
 
     Parameters
     ----------
@@ -32,7 +32,7 @@ def solve_condition(condition: Condition, name: str, boundary: Ends | None = Non
     name : str
         it enters the margin by degree at most 2, or quadratically by its square
     boundary : Boundary, MomentumSphere, CLOSED or None
-        decides the ends, where the margin vanishes; CLOSED: all belong to it; None: none
+        decides the ends, where the margin vanishes; CLOSED: all belong to it; default: none
     domain : sequence of Expr
         positive, without the name
 
@@ -48,22 +48,33 @@ def solve_condition(condition: Condition, name: str, boundary: Ends | None = Non
 
     References
     ----------
-    The quadratic formula; the ends, Boundary.
+    The quadratic formula; for the ends, Boundary.
 
     Examples
     --------
     >>> import gyrostat as gs
-    >>> report = gs.analyze(gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())))
-    >>> for case in gs.solve_condition(report.sufficient.alternatives[0][0], "l", report.boundary).cases:
-    ...     print(case.when, [(i.low, i.low_if, i.high, i.high_if) for i in case.intervals])
-    ((m0, '<'),) [(-oo, (), oo, ())]
-    ((m0, '='),) [(-oo, (), -pi3_0, ()), (-pi3_0, (), oo, ())]
-    ((m0, '>'),) [(-oo, (), -2*sqrt(I1)*sqrt(m0) - pi3_0, (1,)), (2*sqrt(I1)*sqrt(m0) - pi3_0, (1,), oo, ())]
+    >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
+    >>> report = gs.analyze(gs.upright(top))
+    >>> condition = report.sufficient.alternatives[0][0]
+    >>> solved = gs.solve_condition(condition, "l", report.boundary)
+    >>> for case in solved.cases:
+    ...     print(case.when)
+    ...     for i in case.intervals:
+    ...         print("   ", i.low, i.low_if, i.high, i.high_if)
+    ((m0, '<'),)
+        -oo () oo ()
+    ((m0, '='),)
+        -oo () -pi3_0 ()
+        -pi3_0 () oo ()
+    ((m0, '>'),)
+        -oo () -2*sqrt(I1)*sqrt(m0) - pi3_0 (1,)
+        2*sqrt(I1)*sqrt(m0) - pi3_0 (1,) oo ()
     """
     x, domain = symbol(name), [exact_expression(e, "domain") for e in domain]
     if condition.degenerate:
         raise ScopeError(f"{condition.margin} > 0 fails too where "
-                         f"{', '.join(map(str, condition.degenerate))} = 0: give numbers")
+                         f"{', '.join(map(str, condition.degenerate))} = 0, and is not solved in closed "
+                         "form: give numbers")
     coefficients = _coefficients(condition.margin, x)
     start = Context(x, boundary, tuple(e for e in domain if x not in e.free_symbols))
     if x.is_positive and len(coefficients) > 2:
@@ -81,7 +92,7 @@ def solve_condition(condition: Condition, name: str, boundary: Ends | None = Non
 
 
 def _coefficients(margin: Expr, x: Symbol) -> list[Expr]:
-    """Coefficients of x⁰, x¹ and so on."""
+    """Return the coefficients of x⁰, x¹ and so on."""
     ring = Ring([margin, x])
     if any(x in g.free_symbols for g in ring.generators if g != x):
         raise ScopeError(f"{margin} is not polynomial in {x}: give numbers for the other names")
@@ -129,7 +140,7 @@ def _linear(context: Context, b: Expr, c: Expr) -> Iterator[Case]:
 
 
 def _first_of(context: Context, ladder: Ladder) -> Iterator[tuple[bool, Context]]:
-    """Whether the first of the ladder that is not 0 is positive, case by case."""
+    """Yield case by case whether the first of the ladder that is not 0 is positive."""
     if not ladder:
         yield False, context
         return
@@ -141,7 +152,7 @@ def _first_of(context: Context, ladder: Ladder) -> Iterator[tuple[bool, Context]
 
 
 def _biquadratic(context: Context, a: Expr, b: Expr, c: Expr) -> Iterator[Case]:
-    """a x⁴ + b x² + c > 0 with a > 0 and c ≥ 0, by y = x²."""
+    """Solve a x⁴ + b x² + c > 0 with a > 0 and c ≥ 0, by y = x²."""
     for constant, inner in context.signs(c):
         for slope, k in inner.signs(b):
             if constant < 0 or [sign for sign, _ in k.signs(a)] != [1]:
@@ -158,7 +169,7 @@ def _biquadratic(context: Context, a: Expr, b: Expr, c: Expr) -> Iterator[Case]:
 
 
 def _two_squares(context: Context, a: Expr, b: Expr, c: Expr) -> Iterator[Case]:
-    """b < 0 < c: both roots y are positive, where they are real."""
+    """Solve it for b < 0 < c: both roots y are positive, if they are real."""
     for real, k in context.signs(b**2 - 4 * a * c):
         if real < 0:
             yield k.everywhere()

@@ -1,4 +1,4 @@
-"""Eigenvalues of an equilibrium along a parameter: continuous columns, and where they collide."""
+"""Follows the eigenvalues of an equilibrium along a parameter, in continuous columns, to their collisions."""
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise, permutations
@@ -27,7 +27,7 @@ from ..stability.criteria.three_criteria import spectral_criterion
 
 @dataclass(frozen=True, eq=False)
 class Collision:
-    """Where eigenvalues come together and the kind of the spectrum changes.
+    """A value at which eigenvalues come together and the kind of the spectrum changes.
 
     Parameters
     ----------
@@ -36,7 +36,7 @@ class Collision:
         "Hamiltonian Hopf": two pairs meet on the imaginary axis and leave it; "zero eigenvalue": a pair meets
         at 0; "real pairs meet" beside it
     changes : bool
-        whether spectral stability does
+        whether spectral stability changes there
     eigenvalues : array
         where they meet, each once
     """
@@ -49,7 +49,7 @@ class Collision:
 
 @dataclass(frozen=True, eq=False)
 class Spectrum:
-    """Eigenvalues along a parameter.
+    """The eigenvalues along a parameter.
 
     Parameters
     ----------
@@ -62,8 +62,9 @@ class Spectrum:
     Examples
     --------
     >>> import gyrostat as gs
-    >>> top = gs.hanging(gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field()))
-    >>> found = gs.spectrum(top, "pi3_0", (0, 1), {"I1": 1, "I3": 1, "l": 0, "m0": 1})
+    >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
+    >>> numbers = {"I1": 1, "I3": 1, "l": 0, "m0": 1}
+    >>> found = gs.spectrum(gs.hanging(top), "pi3_0", (0, 1), numbers)
     >>> found.eigenvalues.shape[1], found.collisions
     (4, [])
     """
@@ -76,12 +77,12 @@ class Spectrum:
 @checked
 def spectrum(eq: Equilibrium, name: str, samples: Sequence[float],
              values: Mapping[str, Any]) -> Spectrum:
-    """The eigenvalues of an equilibrium at values of one parameter, and where they meet.
+    """Return the eigenvalues of an equilibrium at values of one parameter, and where they meet.
 
-    They are the roots of λ⁴ + p λ² + q, or λ² + p; they collide where p² − 4q or q, or p where q is 0,
-    changes its sign. With three degrees of freedom they are those of such factors. Between two collisions
-    λ² = (−p ± √(p² − 4q))/2 are two continuous functions, as p² − 4q keeps its sign; at a collision each
-    column goes on as the one that has its value there.
+    They are the roots of λ⁴ + p λ² + q, or λ² + p; they collide where p² − 4q or q, or p if q is 0, changes
+    its sign. With three degrees of freedom they are those of such factors. Between two collisions λ² = (−p ±
+    √(p² − 4q))/2 are two continuous functions, since p² − 4q keeps its sign; at a collision each column goes
+    on as the one that has its value there.
 
     Parameters
     ----------
@@ -89,7 +90,7 @@ def spectrum(eq: Equilibrium, name: str, samples: Sequence[float],
     name : str
         of the parameter
     samples : sequence of float
-        of it, from one end to the other
+        values of the parameter, from one end to the other
     values : mapping of name to number
         for every other name in the spectrum
 
@@ -102,15 +103,17 @@ def spectrum(eq: Equilibrium, name: str, samples: Sequence[float],
     ValuesError
         names are missing or unknown, or somewhere between the samples there is no such equilibrium
     ScopeError
-        three degrees of freedom that do not part
+        the polynomial of three degrees of freedom does not split into such factors
 
     Examples
     --------
     >>> import gyrostat as gs
-    >>> top = gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field()), spin="omega3_0")
-    >>> import numpy as np
-    >>> found = gs.spectrum(top, "omega3_0", np.linspace(2, 0, 80), {"I1": 1, "I3": "8/5", "l": 0, "m0": 1})
-    >>> [(collision.kind, collision.value, collision.changes) for collision in found.collisions]
+    >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
+    >>> sleeping = gs.upright(top, spin="omega3_0")
+    >>> rates = [2 - n / 40 for n in range(81)]
+    >>> numbers = {"I1": 1, "I3": "8/5", "l": 0, "m0": 1}
+    >>> found = gs.spectrum(sleeping, "omega3_0", rates, numbers)
+    >>> [(c.kind, c.value, c.changes) for c in found.collisions]
     [('Hamiltonian Hopf', 1.25, True)]
     """
     refuse_any_direction(eq)
@@ -147,7 +150,7 @@ def spectrum(eq: Equilibrium, name: str, samples: Sequence[float],
 
 
 def _parts(linear: Linearization) -> list[tuple[list[Expr], Sequence[Condition]]]:
-    """p and q, or p, of each factor of the characteristic polynomial that is followed, and its conditions."""
+    """Return p and q, or p, of each factor of the characteristic polynomial, and its conditions."""
     eq = linear.equilibrium
     if len(linear.coefficients) < 3:
         return [([eq.insert(c) for c in linear.coefficients], spectral_criterion(linear).alternatives[0])]
@@ -182,7 +185,7 @@ def _exists(eq: Equilibrium, coefficients: Sequence[Expr], numbers: Mapping[Symb
 
 def _columns(coefficients: Sequence[Expr], free: Symbol, at: Array,
              cuts: Sequence[Expr]) -> tuple[Array, Array]:
-    """The samples with the collisions between them, and the eigenvalues, each column continuous."""
+    """Return the samples with the collisions between them, and the eigenvalues, each column continuous."""
     nodes: list[Array] = []
     rows: list[Array] = []
     for a, b in pairwise(cuts):
@@ -201,7 +204,7 @@ def _columns(coefficients: Sequence[Expr], free: Symbol, at: Array,
 
 
 def _roots(coefficients: Sequence[Expr], free: Symbol, at: Array, inner: Rational) -> Array:
-    """At values between which p² − 4q keeps the sign that it has at an inner one."""
+    """Return eigenvalues at values between which p² − 4q keeps the sign that it has at an inner one."""
     p, *rest = (np.broadcast_to(np.asarray(in_floats(c, np, {free: at}), dtype=float), at.shape)
                 for c in coefficients)
     if not rest:
@@ -226,7 +229,7 @@ def _collision(source: str, zero: Expr, coefficients: Sequence[Expr], free: Symb
 
 
 def _one_pair(coefficients: Sequence[Expr]) -> bool:
-    """Whether p² = 4q everywhere: a disc, I3 = 2 I1, without a rotor."""
+    """Tell whether p² = 4q everywhere, as for a disc, I3 = 2 I1, without a rotor."""
     p, q = coefficients
     discriminant = p**2 - 4 * q
     return not Ring([discriminant]).fraction(discriminant)[0]

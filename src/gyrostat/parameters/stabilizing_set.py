@@ -1,7 +1,4 @@
-"""Which values of one parameter stabilise an equilibrium.
-
-In closed form, or exactly at numbers for all the others.
-"""
+"""Finds the values of one parameter that stabilise an equilibrium: in closed form, or exactly at numbers."""
 import contextlib
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
@@ -31,17 +28,17 @@ from .stable_tilts import along_tilts
 
 @checked
 def stabilizing_set(report: Report, name: str, values: Mapping[str, Any] | None = None) -> Solution:
-    """The exact set of one parameter for which an equilibrium exists and is stable.
+    """Return the exact set of one parameter for which an equilibrium exists and is stable.
 
-    Boundary points are in it as the boundary criterion says. Where nothing decides between the necessary
-    and the sufficient condition, as for an asymmetric body in a field, the set is given as far as it is
-    proved: parts that are sufficient, parts that are necessary, values that are undecided (Part.meaning).
+    Boundary points are in it as the boundary criterion says. If nothing decides between the necessary and the
+    sufficient condition, as for an asymmetric body in a field, the set is given as far as it is proved: parts
+    that are sufficient, parts that are necessary, values that are undecided (SolvedCondition.meaning).
 
-    Without numbers, or with some: in closed form, with the cases of the other names. With a number for every
-    other name: a union of intervals, whose ends are exact numbers. On E3 with the name eliminated
-    (inclined(scene, eliminate=name)) and k3 left free: one interval for each family of tilts on which the
-    name is monotone, k3 at its ends in Interval.tilt; with the eliminated name given too: the points that the
-    relation leaves.
+    Without numbers, or with some, it is solved in closed form, with the cases of the other names. With a
+    number for every other name it is a union of intervals, whose ends are exact numbers. On E3 with the name
+    eliminated (inclined(scene, eliminate=name)) and k3 left free, there is one interval for each family of
+    tilts on which the name is monotone, k3 at its ends in Interval.tilt; with the eliminated name given too,
+    the set consists of the points that the relation leaves.
 
     Parameters
     ----------
@@ -63,9 +60,11 @@ def stabilizing_set(report: Report, name: str, values: Mapping[str, Any] | None 
     Examples
     --------
     >>> import gyrostat as gs
-    >>> report = gs.analyze(gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())))
-    >>> solution = gs.stabilizing_set(report, "l", {"I1": 1, "m0": 1, "pi3_0": 5})
-    >>> ((interval, other),) = (case.intervals for case in solution.parts[0].cases)
+    >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
+    >>> report = gs.analyze(gs.upright(top))
+    >>> given = {"I1": 1, "m0": 1, "pi3_0": 5}
+    >>> solution = gs.stabilizing_set(report, "l", given)
+    >>> (interval, other) = solution.parts[0].cases[0].intervals
     >>> interval.high, interval.high_if, other.low
     (-7, (1,), -3)
     """
@@ -109,7 +108,8 @@ def stabilizing_set(report: Report, name: str, values: Mapping[str, Any] | None 
 
 
 def _in_numbers(report: Report, name: str, numbers: Point) -> tuple[SolvedCondition, ...]:
-    """Numbers for all other names: the line of this one, cut where a verdict may change."""
+    """Return the set with numbers for all other names: the line of this one, cut where a verdict may change.
+    """
     if report.boundary is not None and not report.boundary.last:
         raise ScopeError(f"U is not rational in k3, and {name} is not solved for in closed form: ask for a "
                          "verdict, or a chart")
@@ -120,7 +120,7 @@ def _in_numbers(report: Report, name: str, numbers: Point) -> tuple[SolvedCondit
 
 def _decided(stable: tuple[Interval, ...], undecided: tuple[Interval, ...],
              at: Expr) -> tuple[SolvedCondition, ...]:
-    """What is stable, and besides, if there are any, the values for which nothing is proved."""
+    """Return what is stable, and, if there are any, the values for which nothing is proved."""
     parts = (SolvedCondition("stable", S.One, (Case((), stable),), at),
              SolvedCondition("undecided", S.One, (Case((), undecided),), at))
     return parts if undecided else parts[:1]
@@ -128,9 +128,9 @@ def _decided(stable: tuple[Interval, ...], undecided: tuple[Interval, ...],
 
 def _where_tied(report: Report, tied: Symbol, name: str,
                 numbers: Point) -> tuple[SolvedCondition, ...] | None:
-    """The values that the relation of a family leaves, the eliminated name being given or solved for.
+    """Return the values that the relation of a family leaves, the eliminated name given or solved for.
 
-    None where it leaves all.
+    None if it leaves all.
     """
     eq, x = report.equilibrium, symbol(name)
     relation = dict(eq.relations)[tied]
@@ -149,7 +149,7 @@ def _where_tied(report: Report, tied: Symbol, name: str,
 
 
 def _in_symbols(report: Report, name: str, numbers: Point) -> tuple[SolvedCondition, ...]:
-    """Existence and stability, each solved in closed form."""
+    """Return existence and stability, each solved in closed form."""
     if numbers:
         report = inserted(report, {s.name: number for s, number in numbers.items()})
     eq = report.equilibrium
@@ -179,7 +179,7 @@ def _in_symbols(report: Report, name: str, numbers: Point) -> tuple[SolvedCondit
 
 
 def _necessary(report: Report, name: str, fixed: Sequence[Expr]) -> Iterator[SolvedCondition]:
-    """The necessary conditions as far as they are solved for; one that is not says nothing."""
+    """Yield the necessary conditions as far as they are solved for; one that is not says nothing."""
     if not report.necessary.alternatives:
         yield SolvedCondition("necessary", -S.One, (Case((), ()),), report.equilibrium.at)
     for condition in (c for a in report.necessary.alternatives[:1] for c in a):
@@ -188,7 +188,7 @@ def _necessary(report: Report, name: str, fixed: Sequence[Expr]) -> Iterator[Sol
 
 
 def _where_existing(part: SolvedCondition, x: Symbol, existence: Sequence[Expr]) -> SolvedCondition:
-    """Without the ends at which the equilibrium does not exist."""
+    """Return the part without the ends at which the equilibrium does not exist."""
     def outside(end: Expr) -> bool:
         return any(is_identically_zero(e.xreplace({x: end}))
                    for e in existence if x in e.free_symbols and end.is_finite)
@@ -203,7 +203,7 @@ def _where_existing(part: SolvedCondition, x: Symbol, existence: Sequence[Expr])
 
 
 def inserted(report: Report, numbers: Mapping[str, Expr]) -> Report:
-    """The report with numbers in place of some of its names."""
+    """Return the report with numbers in place of some of its names."""
     eq = report.equilibrium
     if in_any_direction(eq) and {"k1", "k2", "k3"} & numbers.keys():
         raise ValuesError(f"{eq.label} has the names k1, k2, k3 with |k| = 1: give a direction in place of "

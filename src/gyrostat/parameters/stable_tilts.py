@@ -1,4 +1,4 @@
-"""The values of a name along the stable tilts of E3, run by run."""
+"""Finds the values of a name along the stable tilts of E3, for each run on which it is monotone."""
 from sympy import Expr, S, Symbol, oo
 
 from ..algebra.reals.exact import Point, evaluate, is_identically_zero, sign
@@ -11,7 +11,7 @@ from .sets import Case, Interval, SolvedCondition
 
 
 def along_tilts(report: Report, name: str, numbers: Point) -> SolvedCondition:
-    """The stable tilts, and the name along each run of them on which it is monotone."""
+    """Return the stable tilts, and the name along each run of them on which it is monotone."""
     k3 = symbol("k3")
     value = dict(report.equilibrium.relations)[symbol(name)].xreplace(numbers)
     slope = value.diff(k3)
@@ -36,7 +36,7 @@ def along_tilts(report: Report, name: str, numbers: Point) -> SolvedCondition:
 
 
 def _limit(value: Expr, x: Symbol, end: Expr, side: int) -> Expr:
-    """The value at an end of a run, infinite where it has a pole."""
+    """Return the value at an end of a run, infinite if it has a pole there."""
     there = evaluate(value, {x: end})
     return there if there.is_finite else side * oo
 
