@@ -12,8 +12,7 @@ _LONG = re.compile(r"(\d{12})\d{49,}")                    # no message quotes su
 
 
 class GyrostatError(Exception):
-    """The base of all of them: ``except GyrostatError`` catches what the library refuses, and nothing else.
-    """
+    """The base of all: ``except GyrostatError`` catches what the library refuses, and nothing else."""
 
     def __str__(self) -> str:
         return _LONG.sub(r"\1…", printable(super().__str__()))

@@ -66,8 +66,7 @@ class Context:
         return expression
 
     def _vanishing(self, expression: Expr) -> "Context":
-        """Return the case in which an expression is 0, solved for a parameter in which it is affine, if any.
-        """
+        """Return the case in which an expression is 0, solved for a parameter if it is affine in one."""
         when = (*self.when, (-expression if expression.could_extract_minus_sign() else expression, "="))
         for s in sorted(expression.free_symbols - {self.x}, key=lambda s: (bool(s.is_positive), s.name)):
             if not (solved := affine(expression, s)):

@@ -108,8 +108,7 @@ def stabilizing_set(report: Report, name: str, values: Mapping[str, Any] | None 
 
 
 def _in_numbers(report: Report, name: str, numbers: Point) -> tuple[SolvedCondition, ...]:
-    """Return the set with numbers for all other names: the line of this one, cut where a verdict may change.
-    """
+    """Return the set at numbers for all other names: the line of this one, cut where verdicts may change."""
     if report.boundary is not None and not report.boundary.last:
         raise ScopeError(f"U is not rational in k3, and {name} is not solved for in closed form: ask for a "
                          "verdict, or a chart")

@@ -12,8 +12,7 @@ from .rational_functions import RationalFunction
 
 @lru_cache(maxsize=1024)
 def readable(expression: Expr) -> Expr:
-    """Return the same fraction of polynomials, factored, with squares completed and coefficients collected.
-    """
+    """Return the same fraction of polynomials factored, with squares completed and terms collected."""
     if expression.is_Atom:
         return expression
     ring = Ring([expression])

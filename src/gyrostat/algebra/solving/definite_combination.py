@@ -52,8 +52,7 @@ def definite_combination(form: ImmutableMatrix,
 
 
 def definite(form: ImmutableMatrix) -> int:
-    """Return the sign of a definite matrix by its leading principal minors, 0 if it is not proved definite.
-    """
+    """Return the sign of a definite matrix by its leading principal minors, 0 if none is proved."""
     signs = [sign_of_constant(form[:n, :n].det(method="berkowitz")) for n in range(1, form.rows + 1)]
     if all(s == 1 for s in signs):
         return 1

@@ -65,8 +65,7 @@ class Conjugates:
 
     @cached_property
     def short(self) -> tuple[list[fmpq_poly], fmpq_poly]:
-        """The quotients written over the derivative of the polynomial, which makes their coefficients short.
-        """
+        """The quotients over the derivative of the polynomial, which makes their coefficients short."""
         slope = self.polynomial.derivative()
         return divided([top * slope for top in self.tops], self.under, self.polynomial), slope
 

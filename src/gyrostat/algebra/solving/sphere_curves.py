@@ -93,8 +93,7 @@ class SphereCurve:
 
     @cached_property
     def axis(self) -> tuple[Expr, ...] | None:
-        """The axis about which the arcs are circles: turns about it keep the polynomial; None if none do.
-        """
+        """The axis about which the arcs are circles: turns about it keep the polynomial; None if none do."""
         places = {e for part in self._turned for e in part}
         rows = [[to_sympy(part.get(e, fmpq(0))) for part in self._turned] for e in sorted(places)]
         found = Matrix(rows).nullspace()

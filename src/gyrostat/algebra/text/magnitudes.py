@@ -52,8 +52,7 @@ def raised(x: arb | None, exponent: Rational) -> arb | None:
 
 
 def extent(x: arb) -> tuple[int, int | None]:
-    """Return the powers of 2 between which a finite enclosure lies in size; the lower is None if it may be 0.
-    """
+    """Return powers of 2 between which a finite enclosure lies in size; the lower is None if it may be 0."""
     with own_precision(PRECISION):
         ends: list[Any] = [x.abs_upper(), x.abs_lower()]
         high, low = (_exponent(end) for end in ends)

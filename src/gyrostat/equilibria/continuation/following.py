@@ -22,8 +22,7 @@ class Curve(Protocol):
         """All stations in the range, its ends among them or not; exact and in order."""
 
     def between(self, low: Expr, high: Expr) -> list[Piece]:
-        """Return every equilibrium between two stations and its verdict, in a piece from one to the other.
-        """
+        """Return every equilibrium between two stations and its verdict, in a piece from one to the other."""
 
     def through(self, station: Expr, before: Pieces, after: Pieces) -> Iterable[tuple[int, int]]:
         """Yield which of the pieces before a station go on after it as which, and meet no others."""

@@ -165,8 +165,7 @@ def _points(turned: Array, vectors: Array, radii: Array, at_pole: int) -> list[A
 
 
 def _nodes(a: Expr, b: Expr, first: bool, last: bool) -> list[Fraction]:
-    """Return fractions between two numbers; the outer ones lie beside ends at which rotations may meet.
-    """
+    """Return fractions between two numbers; the outer ones lie beside ends at which rotations may meet."""
     low, high = (fraction_of(ball(t, PRECISION).mid()) for t in (a, b))
     parts = (1 - np.cos(np.pi * np.arange(1, NODES) / NODES)) / 2
     inside = [Fraction(first, NEAR), *map(Fraction, parts.tolist()), 1 - Fraction(last, NEAR)]

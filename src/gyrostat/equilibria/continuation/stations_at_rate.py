@@ -66,8 +66,7 @@ def margins_vanish(curve: PlaneCurve, margin: Expr, held: Expr) -> Iterator[tupl
 
 
 def changes_at_pole(scene: System, numbers: Point, free: Symbol, s: int) -> list[Expr]:
-    """Return where the first coefficient of g at E1 or E2 that is not 0 everywhere vanishes or is infinite.
-    """
+    """Return where the first coefficient of g at E1 or E2 that is not always 0 vanishes or is infinite."""
     spin = {symbol("pi3_0"): s * scene.body.moments[2] * OMEGA}
     try:
         eq = POLES[s].of(scene)

@@ -99,8 +99,7 @@ class Arc(Shown, Stored):
 
     @property
     def k(self) -> tuple[Expr, ...]:
-        """The direction k in the parameter, omega and, with a rotor, sigma or a component of k; abs(k) = 1.
-        """
+        """The unit vector k in the parameter, omega and, with a rotor, sigma or a component of k."""
         return self.curve.k
 
     @property
@@ -178,8 +177,7 @@ class Arc(Shown, Stored):
 
     @cached_property
     def boundaries(self) -> tuple[Expr, ...]:
-        """The values at which the verdict changes, exact: the amended potential or the spectrum does.
-        """
+        """The values at which the verdict changes, exact: the amended potential or the spectrum does."""
         return tuple(two.low for one, two in pairwise(self.pieces)
                      if one.decision.reason != two.decision.reason)
 
@@ -200,8 +198,7 @@ class Arc(Shown, Stored):
         return tuple(pieces)
 
     def _stretches(self) -> Iterator[tuple[Expr, Expr, Decision, Signs]]:
-        """Yield what is decided between values at which it may change, with resonance signs in windows.
-        """
+        """Yield what is decided between values at which it may change, with resonance signs in windows."""
         for span in self.strand.spans:
             critical = inside(self.curve.critical, span.low, span.high)
             for low, high in pairwise([span.low, *critical, span.high]):

@@ -136,8 +136,7 @@ class ConeCurve(Stored):
 
 
 def cone_curves(scene: System, c: Sequence[Expr]) -> Iterator[tuple[ConeCurve, Strand]]:
-    """Yield the curve and the strand of every arc of a body without a rotor in U = c·k, at numbers.
-    """
+    """Yield the curve and the strand of every arc of a body without a rotor in U = c·k, at numbers."""
     moments = scene.body.moments
     none = [proved_sign(x) == 0 for x in c]
     n = tuple(S.Zero if zero else x / (TAU + m) for x, m, zero in zip(c, moments, none))

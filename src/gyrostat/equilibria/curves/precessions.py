@@ -28,8 +28,7 @@ NODES, DECADES = 480, 13
 
 @dataclass(frozen=True)
 class Arc:
-    """A branch of the rates between two cuts in k3, or every rate of one tilt between two cuts in the rate.
-    """
+    """A branch of the rates between two cuts in k3, or the rates of one tilt between two cuts in them."""
 
     k3: Array
     omega: Array
@@ -137,8 +136,7 @@ class Precessions:
         return bool(real_roots(placed, OMEGA))
 
     def _verdict(self, k3: Fraction, omega: float) -> Verdict:
-        """Return the verdict of the precession at a tilt with a rate in doubles; the rates there are simple.
-        """
+        """Return the verdict of the precession at a tilt with a rate in doubles; rates are simple there."""
         found = revolution_forms(self.scene, {**self.given, "k3": k3})
         return min(found, key=lambda form: abs(float(form.omega) - omega)).known().verdict
 

@@ -80,8 +80,7 @@ class RateCurve(Stored):
         return HeavyForm(self.scene, self.directed(value, root), value)
 
     def _among_others(self, span: Span) -> HeavyForm:
-        """Return the rotation where roots meet: two of one sigma have k_i of the signs of their branches.
-        """
+        """Return the rotation where roots meet: two of one sigma have k_i of the signs of their branches."""
         found = self.all_at(span.high)
         level = found[span.place][0]
         signs = [proved_sign(x) for x in self.at(span, between(span.low, span.high)).k]
@@ -89,8 +88,7 @@ class RateCurve(Stored):
                     and all(proved_sign(x) in (0, sign) for x, sign in zip(rotation.k, signs)))
 
     def all_at(self, omega: Expr) -> list[tuple[Expr, HeavyForm]]:
-        """Return sigma and rotation of all with k_i = 0 if b_i is 0 at every omega, in the order of sigma.
-        """
+        """Return sigma and rotation of all with k_i = 0 if b_i is 0 at every omega, in the order of sigma."""
         found = []
         for whole in heavy_forms(self.scene, {"omega": omega}):
             for rotation in self._on_branches(whole):
@@ -165,8 +163,7 @@ class RateCurve(Stored):
         return HeavyForm(self.scene, tuple(x.xreplace(SLOWER) for x in self.k), OMEGA).invariants(None)
 
     def _zeros(self, *margins: Expr) -> dict[Expr, None]:
-        """Return every omega at which a margin vanishes on the curve, unless it vanishes along a component.
-        """
+        """Return every omega at which a margin vanishes on the curve, but not along a component of it."""
         unknown = TAU if self.unknown == SIGMA else self.unknown
         curve = PlaneCurve(self.equation.xreplace(SLOWER), unknown, OMEGA, ends=())
         name = str(curve.whole.context().names()[curve.place[0]])

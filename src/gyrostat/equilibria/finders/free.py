@@ -20,8 +20,7 @@ NU = symbol("nu")
 
 
 def free_forms(scene: System, values: Mapping[str, Any]) -> list[FreeForm]:
-    """Return every permanent rotation of a scene without a field, at numbers for its names and M.
-    """
+    """Return every permanent rotation of a scene without a field, at numbers for its names and M."""
     numbers = numbers_of_rotations(scene, values)
     return rotations_on_sphere(at_numbers(scene, numbers), numbers[LENGTH])
 

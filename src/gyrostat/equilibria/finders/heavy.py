@@ -1,5 +1,4 @@
-"""Finds the permanent rotations of any body in a field: every one at a rate, on a level, or in a direction.
-"""
+"""Finds every permanent rotation of any body in a field: at a rate, on a level, or in a direction."""
 import contextlib
 from collections.abc import Iterator, Mapping
 from typing import Any

@@ -133,8 +133,7 @@ class HeavyForm(Form):
         return self._proved(lambda found: [x for _, _, x in resonance_margins(*found.spectrum[1:])])
 
     def known(self) -> Decision | None:
-        """Return the decision on a curve that is no circle, if the second variation is degenerate there.
-        """
+        """Return the decision on a curve that is no circle, if the second variation is degenerate there."""
         if self.curve is None or self.signs[-1]:
             return None
         return ACROSS if self.spectral_signs[0] == -1 else ALONG

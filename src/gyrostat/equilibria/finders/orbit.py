@@ -136,8 +136,7 @@ def along_an_axis(scene: System, axis: int, L: Expr) -> Iterator[OrbitalForm]:
 
 
 def circles(scene: System, axis: int, L: Expr) -> Iterator[OrbitalForm]:
-    """Yield a point of each circle of precessions of a body of revolution with the rotor ω0 L along its axis.
-    """
+    """Yield a point of each circle of precessions of a body of revolution with its rotor ω0 L on its axis."""
     i, k = (n for n in range(3) if n != axis)
     beyond = scene.body.moments[i] - scene.body.moments[axis]
     circle = f"a circle of equilibria about axis {axis + 1}, "
@@ -154,8 +153,7 @@ def circles(scene: System, axis: int, L: Expr) -> Iterator[OrbitalForm]:
 
 
 def _tilts(L: Expr, beyond: Expr) -> list[tuple[Expr, Expr]]:
-    """Return the component L/beyond of a unit vector and that across, of either sign; an empty list if none.
-    """
+    """Return the component L/beyond of a unit vector and that across, of either sign; [] if there is none."""
     if proved_sign(beyond**2 - L**2) != 1:
         return []
     high = evaluate(L / beyond, {})

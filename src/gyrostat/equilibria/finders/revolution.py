@@ -168,8 +168,7 @@ class SceneAtNumbers:
                               self._asked(report, given), every)
 
     def _asked(self, report: Report, given: dict[str, Any]) -> dict[str, Any]:
-        """Return the numbers that a report takes, without the name that its family expresses by the others.
-        """
+        """Return the numbers that a report takes, without the names that its family eliminates."""
         everything = {**{s.name: x for s, x in self.known.items()}, **given}
         return {n: x for n, x in everything.items() if n in report.parameters
                 and n not in report.equilibrium.eliminated}

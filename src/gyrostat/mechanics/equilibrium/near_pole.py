@@ -68,8 +68,7 @@ class NearPole:
         return lowest_terms(self._derivatives[n].xreplace({T: S.Zero}) / factorial(n))
 
     def derivative(self, n: int) -> Expr:
-        """Return the n-th derivative of U by k3 at the pole; it is infinite after a lower fractional power.
-        """
+        """Return the n-th derivative of U by k3 at the pole; it is infinite above a fractional power."""
         if any(m % self.order and self.coefficient(m) != 0 for m in range(1, n * self.order)):
             return S.ComplexInfinity
         return (-self.side) ** n * factorial(n) * self.coefficient(n * self.order)

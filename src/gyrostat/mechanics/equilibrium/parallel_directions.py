@@ -1,5 +1,4 @@
-"""Two directions that are parallel: makes the scene in one direction, of the motions in which they stay so.
-"""
+"""Makes one direction of two that are parallel: the scene of the motions in which they stay so."""
 from sympy import Expr, ImmutableMatrix, S
 
 from ...algebra.rings.polynomials import lowest_terms

@@ -1,5 +1,4 @@
-"""Recognises a body of revolution about any axis: the axis, and the same scene with that axis for the third.
-"""
+"""Recognises a body of revolution about any axis, and makes the same scene with that axis the third."""
 import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass

@@ -1,5 +1,4 @@
-"""Expands the square g(k3) of the motion of k3, I1² k̇3² = g, in powers of the deviation from an equilibrium.
-"""
+"""Expands g(k3) in the motion of k3, I1² k̇3² = g, in powers of the deviation from an equilibrium."""
 from sympy import Add, Expr, Integer, Rational, S, Symbol, factorial
 
 from ...algebra.rings.polynomials import Ring, by_degree

@@ -26,8 +26,7 @@ def solved_for(relation: Expr, wanted: str | None, parameters: Sequence[Symbol],
 
 
 def affine(relation: Expr, x: Symbol) -> tuple[Expr, Expr] | None:
-    """Return the solution and the leading coefficient of a x + b = 0; None if the relation has no such form.
-    """
+    """Return solution and leading coefficient of a x + b = 0; None if the relation has no such form."""
     ring = Ring([relation])
     top, _ = ring.fraction(relation)
     if x not in ring.gens or any(x in g.free_symbols for g in ring.generators if g != x):

@@ -63,8 +63,7 @@ def _plain(scene: System) -> bool:
 
 
 def seen_at(eq: Equilibrium, numbers: Point) -> Seen | None:
-    """Return a family in the standard axes if its scene is recognised only at the numbers given, else None.
-    """
+    """Return a family in the standard axes if its scene is recognised only at given numbers, else None."""
     if eq.system.kind is Kind.FREE or _plain(eq.system) or seen(eq):
         return None
     body = eq.system.body

@@ -93,8 +93,7 @@ def _axes(about: ImmutableMatrix, level: Expr, moment: Expr) -> Iterator[list[Ex
 
 
 def _unit(axis: Matrix, square: Expr) -> list[Expr]:
-    """Return the unit vector along an axis of that length, squared; its last entry that is not 0 is positive.
-    """
+    """Return the unit vector along an axis of that squared length; its last nonzero entry is positive."""
     side = next(s for x in reversed(axis) if (s := proved_sign(x)))
     return [_short(side * x / sqrt(square)) for x in axis]
 
