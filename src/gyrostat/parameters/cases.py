@@ -45,7 +45,7 @@ class Context:
             yield sign, self
             return
         plain, factors = known.ring.expression(margin), Mul(*map(known.ring.expression, even))
-        if sign is not None:                               # of one sign, or 0 where an even factor is
+        if sign is not None:                               # of one sign, but 0 where an even factor is 0
             yield 0, self._vanishing(factors)
             yield sign, self._with((factors, "!="), factors**2)
             return
@@ -97,7 +97,7 @@ class Context:
                 rungs.append(S.One * sign)
                 break
             plain = known.ring.expression(margin)
-            # else it is 0 where the one before is
+            # a rung that repeats another adds nothing: it is 0 where that one is
             if margin and not any(plain in (r, -r) for r in rungs):
                 rungs.append(Mul(plain, *(known.ring.expression(e) ** 2 for e in even)))
         while rungs and rungs[-1] == -1:

@@ -33,7 +33,7 @@ def cut(report: Report, x: Symbol, numbers: Point, low: Expr | None, high: Expr 
                    *report.equilibrium.existence(), *also]
     placed = [e.xreplace(numbers) for e in expressions]
     everywhere = not report.sufficient.alternatives or any(map(is_identically_zero, placed))
-    if everywhere and report.between:                      # on the boundary whatever x is
+    if everywhere and report.between:                      # it is on the boundary whatever x is
         placed += [e.xreplace(numbers) for e in report.between.ladder()]
     elif everywhere and is_identically_zero(report.determinant[0].xreplace(numbers)):
         raise ScopeError(f"the second variation is degenerate whatever {x} is: ask for verdicts at numbers")
@@ -68,7 +68,7 @@ def _in_window(report: Report, x: Symbol, numbers: Point, low: Expr | None,
     Between these values Arnold's condition holds everywhere in a window, or nowhere.
     """
     eq = report.equilibrium
-    if eq.system.coupled:                                  # of a symmetric satellite, as its axis moves
+    if eq.system.coupled:                                  # a symmetric satellite: its axis moves like a top
         axis = moving_axis(eq, lambda e: evaluate(e, numbers))
         return None if axis is None else cuts_in_windows(motion_in_field(axis, numbers), x, low, high)
     try:

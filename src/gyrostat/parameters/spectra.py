@@ -193,7 +193,7 @@ def _columns(coefficients: Sequence[Expr], free: Symbol, at: Array,
             continue
         here = np.unique([float(a), *at[(at > float(a)) & (at < float(b))], float(b)])
         roots = _roots(coefficients, free, here, inner(a, b))
-        # the columns go on as those that have their values at the collision
+        # each column goes on as the one that has its value at the collision
         if rows:
             orders = np.array(list(permutations(range(roots.shape[1]))))
             roots = roots[:, orders[np.abs(roots[0][orders] - rows[-1][-1]).sum(axis=1).argmin()]]

@@ -153,7 +153,7 @@ def _in_symbols(report: Report, name: str, numbers: Point) -> tuple[SolvedCondit
         report = inserted(report, {s.name: number for s, number in numbers.items()})
     eq = report.equilibrium
     tilted = "k3" in eq.eliminated and "omega" in report.parameters and analyze(inclined(eq.system))
-    # always, in terms of k3
+    # E3 may be stable always, in terms of k3
     sufficient = tilted.sufficient if tilted and () in tilted.sufficient.alternatives else report.sufficient
     ends = report.between
     if len(sufficient.alternatives) > 1 or ends and not sufficient.alternatives:

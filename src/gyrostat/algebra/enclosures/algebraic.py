@@ -146,7 +146,7 @@ def real_root(root: CRootOf, precision: int) -> arb:
             if not better.is_finite():
                 return _isolated(root, precision)
             if not 2 * better.rad() < near.rad():
-                break
+                break                                      # rounding: no more digits at this precision
             near = better
     return near
 

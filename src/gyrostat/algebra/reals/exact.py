@@ -59,7 +59,7 @@ class Point(dict[Symbol, Expr]):
     def __init__(self, numbers: Mapping[Symbol, Expr], doubt: str = ""):
         super().__init__(numbers)
         self.doubt = doubt
-        # for each verdict: without the call of to_flint
+        # made for every verdict, hence without a call of to_flint
         self.rational = {s: fmpq(x.p, x.q) for s, x in self.items() if isinstance(x, Rational)}
 
     def rational_at(self, symbols: Sequence[Symbol]) -> list[fmpq] | None:

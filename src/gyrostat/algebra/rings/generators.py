@@ -25,7 +25,7 @@ def collect(node: Expr, seen: set[Expr], plain: dict[Expr, None], squares: dict[
         squares.setdefault(Pow(node.base, Rational(1, 2)), node.base)
     elif isinstance(node, Pow) and isinstance(node.exp, Rational):
         plain[Pow(node.base, Rational(1, node.exp.q))] = None
-    elif isinstance(node, sin) and node.free_symbols:  # of a constant, the relation would only hide squares
+    elif isinstance(node, sin) and node.free_symbols:  # at a constant the relation would hide squares
         collect(cos(node.args[0]), seen, plain, squares)
         squares.setdefault(node, 1 - cos(node.args[0]) ** 2)
     elif isinstance(node, exp):

@@ -66,7 +66,7 @@ def _along(form: ImmutableMatrix, other: ImmutableMatrix) -> Iterator[Rational]:
         roots = real_roots((form + a * other).det(method="berkowitz").expand(), a)
     except ScopeError:                                     # a transcendental determinant: no roots known
         return
-    ends = [] if roots is None else [-oo, *roots, oo]      # none: singular for every a
+    ends = [] if roots is None else [-oo, *roots, oo]      # None: the sum is singular for every a
     yield from (between(low, high) for low, high in zip(ends, ends[1:]))
 
 

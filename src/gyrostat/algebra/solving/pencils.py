@@ -61,10 +61,10 @@ def points_on_sphere(pencil: Matrix, vector: Matrix, radius: Expr, nu: Symbol) -
 
 def along_kernel(pencil: Matrix, above: Matrix, below: Expr, radius: Expr, nu: Symbol,
                   root: Expr) -> Iterator[Found]:
-    """Yield the solutions at a root of the determinant, of which it is a multiple root or a simple one."""
+    """Yield the solutions at a root of the determinant, simple, double or triple."""
     order = next(n for n in (1, 2, 3) if proved_sign(evaluate(below.diff(nu, n), {nu: root})) != 0)
     if any(proved_sign(evaluate(x.diff(nu, n), {nu: root})) for n in range(order) for x in above):
-        return                                             # the vector has a part in the kernel
+        return                                             # no x: the vector has a part in the kernel
     if order == 3:
         yield root, (radius, S.Zero, S.Zero), (S.Zero,) * 3
         return

@@ -120,7 +120,7 @@ def _folds(curve: PlaneCurve, at: Expr, double: Sequence[Expr], count: int) -> l
             near = {x0: ball(x0, precision) for x0 in double}
             left = [x0 for x0 in double if whole(near[x0]).contains(0)
                     and whole.derivative()(near[x0]).contains(0)]
-            if not left and not count:                     # those that meet are complex
+            if not left and not count:                     # the roots that meet are complex
                 return []
             if len(left) == count:
                 for x0 in left:

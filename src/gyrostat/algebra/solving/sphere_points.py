@@ -109,7 +109,7 @@ class _Algebra:
 
         `paired` says that with each zero k also −k is one, at which these elements have the same values.
         """
-        for n in count(1):                             # for each two zeros, two n at most give them one λ
+        for n in count(1):                             # any two zeros have one λ for at most two n
             form = self.axes[0] + self.axes[1] * n + self.axes[2] * n**2
             whole = fmpq_poly(form.charpoly())
             apart = whole / whole.gcd(whole.derivative())
@@ -117,7 +117,7 @@ class _Algebra:
                 break
         monomial = self.monomials(self.one)
         elements = [*(monomial(e) for e in (ONE, *AXES)), *more]
-        # any functional will do that has no weight 0; else the trace, which takes longer
+        # an arbitrary functional; if a zero has the weight 0, or is multiple, the trace, which takes longer
         weights = fmpq_mat([[n % 7 + 1 for n in range(self.size)]])
         found = _numerators(apart, form, weights, elements)
         if apart.degree() < self.size or not found[0].gcd(apart).is_constant():

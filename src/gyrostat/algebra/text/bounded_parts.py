@@ -115,7 +115,7 @@ def factored(base: Part, root: int) -> int:
 
     SymPy writes n**(-1/7) as n**(6/7)/n, and factors n.
     """
-    # of what is only typeset nothing is computed
+    # a value that is only typeset is no Expr: nothing of it is computed
     factors = Mul.make_args(base.value) if isinstance(base.value, Expr) else ()
     order = root * max((part.exp.q for part in factors if isinstance(part, Pow)
                         and isinstance(part.exp, Rational)), default=1)

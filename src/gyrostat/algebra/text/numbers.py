@@ -90,7 +90,7 @@ def exact_number(value: Any, name: str = "value") -> Expr:
     >>> exact_number("3000 rpm", "omega3_0"), exact_number("25 g m^2", "I1")
     (100*pi, 1/40)
     """
-    if type(value) in (int, Fraction):                     # by far the most
+    if type(value) in (int, Fraction):                     # by far the most common kinds, first
         return _bounded(Rational(value.numerator, value.denominator), name)
     if getattr(value, "shape", None) == () and hasattr(value, "item") and not getattr(value, "mask", False):
         value = value.item()

@@ -82,5 +82,5 @@ def continuation(scene: System, name: str, ends: tuple[Any, Any], values: Mappin
         raise ValuesError(f"the range of {name} is {low} to {high}: give two numbers, the lower one "
                           "first")
     if scene.unspecified:
-        names_of(scene)                                    # refuses it
+        names_of(scene)                                    # to refuse an unspecified U
     return follow(CURVES[scene.kind](scene, name, low, high, values), low, high)

@@ -118,7 +118,7 @@ class PencilBranches(ABC):
         The pieces come in the order of the exact ones.
         """
         middle, found = self._at(between(low, high))
-        if any(one.decision.pointwise and not one.decision.stable for one in found):       # a resonance there
+        if any(one.decision.pointwise and not one.decision.stable for one in found):  # a resonance
             middle, found = self._at(between(low, to_sympy(middle)))
         nodes = _nodes(low, high, low not in self.changed, high not in self.changed)
         here = self.curve.roots(middle)
@@ -145,11 +145,11 @@ class PencilBranches(ABC):
 
 
 def _points(turned: Array, vectors: Array, radii: Array, at_pole: int) -> list[Array]:
-    """Return y along a root in doubles; at a pole up to three of them, on either side of what is across."""
+    """Return y along a root in doubles; at a pole, up to a triple one, y on either side of what is across."""
     found, along = [], np.zeros(3)
     for matrix, vector, radius in zip(turned, vectors, radii):
         if not at_pole:
-            whole = np.linalg.matrix_rank(matrix) == 3     # else beside a plane across which is no part
+            whole = np.linalg.matrix_rank(matrix) == 3     # else y has no part across a plane
             found.append([np.linalg.solve(matrix, vector) if whole else np.linalg.pinv(matrix) @ vector])
             continue
         sizes, axes = np.linalg.eigh(matrix)

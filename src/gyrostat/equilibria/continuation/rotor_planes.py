@@ -10,7 +10,7 @@ from ...algebra.solving.roots import in_order, real_roots
 from ...mechanics.scenes.body import Gyrostat
 from ..finders.free import NU
 
-HALVINGS = 36                                              # to the least value between two poles
+HALVINGS = 36                                              # to find the least value between two poles
 
 
 def fold_squares(body: Gyrostat, radius: Expr, held: int) -> tuple[Expr, Expr]:

@@ -30,7 +30,7 @@ def admissible(positive: Iterable[Expr], numbers: Point, free: Symbol, low: Expr
     for moment in dict.fromkeys(m for m in positive if free in m.free_symbols):
         placed = moment.xreplace(numbers)
         if placed.free_symbols - {free}:
-            continue                                       # named as missing later
+            continue                                       # a missing name is reported later
         zeros = real_roots(placed, free) or []
         at_end = evaluate(placed, {free: low})
         if sign_of_constant(at_end) != 1 or any(within(zero, low, high) for zero in zeros):

@@ -75,12 +75,12 @@ class Precessions:
         double, steep = self._zeros(b**2 - 4 * a * c), self._zeros(a)
         known = [float(x) for x in double]
 
-        # of what the quadratic formula has on top, without cancellation
+        # the numerator of the quadratic formula, with the sign at which nothing cancels
         def half(k3: Array) -> Array:
             square = np.where(np.isin(k3, known), 0.0, np.maximum(_values(b**2 - 4 * a * c, k3), 0.0))
             return -(_values(b, k3) + np.where(_values(b, k3) < 0, -1, 1) * np.sqrt(square)) / 2
 
-        if not b:                                          # of one size
+        if not b:                                          # b = 0: both rates have one size
             slow = self._branch(n, 1, lambda k3: -half(k3) / _values(a, k3), infinite | steep, double)
         else:
             slow = self._branch(n, 1, lambda k3: _values(c, k3) / half(k3), infinite, double)

@@ -116,7 +116,7 @@ def _in_span(field: Field, axes: list[int]) -> Iterator[Found]:
     ring = Ring([OMEGA, SIGMA, EPSILON])
     above = [ring.numerator(x) for x in (pencil.adjugate() * vector).expand()]
     below = ring.numerator(pencil.det(method="berkowitz").expand())
-    shared = reduce(lambda f, g: f.gcd(g), above, below)   # two equal moments
+    shared = reduce(lambda f, g: f.gcd(g), above, below)   # as with two equal moments
     above, below = [x / shared for x in above], below / shared
     if below.gcd(shared) != shared:
         raise ScopeError(UNTOLD)
@@ -131,7 +131,7 @@ def _in_span(field: Field, axes: list[int]) -> Iterator[Found]:
     length = total(x**2 for x in above) - below**2
     moment = omega * total(number(inertia[i, j]) * above[i] * above[j] for i in size for j in size)
     moment += below * total(number(rotor[i]) * above[i] for i in size) - number(level) * below**2
-    moment += number(level) * -length                      # of a lower degree in sigma
+    moment += number(level) * -length                      # 0 with length: lowers the degree in sigma
     place, name = ring.generators.index(EPSILON), str(length.context().names()[ring.generators.index(SIGMA)])
     if not (resultant := _in_omega(ring, length.resultant(moment, name))):
         raise ScopeError(UNTOLD)

@@ -160,7 +160,8 @@ def refuse_rough(label: str, potential: Potential | None, near: NearPole | None,
         raise EquilibriumError(f"{label} is out of reach: U goes there with the power {near.root} of "
                                f"{1 - near.side * K3}, and on the sphere it has " + (
                                    "no slope: that is no equilibrium" if 2 * near.root <= 1 else
-                                   "one derivative, not two: there is no second variation"))
+                                   "one derivative, not two: there is no second variation")
+                               + "; choose another point, or a U that is smooth there")
     for value in values:
         powers = set() if potential is None else potential.expression.atoms(Pow)
         names = sorted({s.name for power in powers for s in power.exp.free_symbols - {K3}})
@@ -170,12 +171,12 @@ def refuse_rough(label: str, potential: Potential | None, near: NearPole | None,
                                    f"U.subs({names[0]}, 2)")
         if value.is_finite is False or value.is_real is False or value.has(S.NaN):
             raise EquilibriumError(f"{label} is out of reach: U or one of its derivatives is {shown(value)} "
-                                   "there, not a finite real number")
+                                   "there, not a finite real number; choose another point, or another U")
     for argument in positive:
         if not argument.free_symbols and sign(argument, {}) != 1:
             raise EquilibriumError(f"{label} is out of reach: U is not known to be smooth there, the "
                                    "argument of a root, logarithm or inverse function is not proved to be "
-                                   f"inside its range, {argument} > 0")
+                                   f"inside its range, {argument} > 0; choose another point or numbers")
 
 
 def _vanishes(argument: Expr, side: int) -> bool:

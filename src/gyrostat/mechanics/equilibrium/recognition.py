@@ -20,6 +20,7 @@ from ..scenes.system import System, system_of
 
 Vector = tuple[Expr, ...]
 UNITS: tuple[Vector, ...] = ((S.One, S.Zero, S.Zero), (S.Zero, S.One, S.Zero), (S.Zero, S.Zero, S.One))
+# rational unit vectors in no special position
 PLACES = [tuple(Rational(n, d) for n in row) for *row, d in ((1, 2, 2, 3), (2, 3, 6, 7), (-4, 4, 7, 9),
                                                              (6, 2, -9, 11), (3, -4, 12, 13))]
 
@@ -113,7 +114,7 @@ def recognise(scene: System, square_radius: Expr = S.One) -> Recognition | None:
                         (0, 0, lowest(sum((x * l for x, l in zip(axis, rotor)), S.Zero))))
         try:
             return Recognition(scene, direction, system_of(body, axial_potential(U)))
-        except PotentialError:                             # as |k3|, which is not smooth
+        except PotentialError:                             # a U such as |k3|, which is not smooth
             continue
     return None
 

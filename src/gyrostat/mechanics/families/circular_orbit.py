@@ -221,7 +221,7 @@ def resting_at(scene: System, n: Any, r: Any) -> tuple[Expr, ...]:
 def orbital_rate(scene: System) -> Expr:
     """Return the ω0 of a scene."""
     assert isinstance(scene.potential, CoupledPotential)
-    return -scene.potential.drift[0].diff(symbol(f"{NORMAL}1"))
+    return -scene.potential.drift[0].diff(symbol(f"{NORMAL}1"))            # β = −ω0 n
 
 
 def along_velocity(n: Any, r: Any) -> ImmutableMatrix:

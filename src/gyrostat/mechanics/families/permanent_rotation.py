@@ -69,7 +69,7 @@ def permanent_rotation(scene: System, direction: Sequence[Any] | None = None) ->
     in_one_direction(scene.potential, "permanent_rotation")
     U = scene.potential
     if U is not None and U.axial and U.given and not scene.integrals:
-        U = replace(U, variables=DIRECTIONS)               # of an asymmetric body: as any U(k1, k2, k3)
+        U = replace(U, variables=DIRECTIONS)               # for an asymmetric body a U like any other
         scene = system_of(scene.body, U)
     if U is None or U.axial:
         given = "none" if U is None else f"U = {U.expression}"

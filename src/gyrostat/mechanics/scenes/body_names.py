@@ -19,7 +19,7 @@ def in_names_of(body: Gyrostat, expression: Expr, tensor: Mapping[Symbol, Expr] 
     They are inserted at once with those of a tensor, since what is inserted has names too. If the rotor has
     the name l along another axis, l is that.
     """
-    # a tensor has none
+    # asked for only if they occur: a full tensor has no principal moments
     names = dict(zip(_MOMENTS, body.moments)) if expression.free_symbols & {*_MOMENTS} else {}
     names |= zip(components("l"), body.gyrostatic_momentum)
     if symbol("l") not in body.symbols:

@@ -10,7 +10,7 @@ from .lie_poisson import LiePoisson
 from .potential import Potential
 
 
-# the jet is the same of every U: what it leaves open is derived once for a body
+# the jet is the same for every U: what is derived in it is derived once for a body
 @lru_cache(maxsize=64)
 def jet_field(space: LiePoisson, energy_gradient: tuple[Expr, ...]) -> ImmutableMatrix:
     """Return B ∇h, with one coefficient for each product of coordinates."""

@@ -169,7 +169,7 @@ class LiePoisson(Shown, Stored):
         return ring, entries, [ring.generators.index(x) for x in self.coordinates]
 
 
-# bounded: of one Casimir there is one, of Hamiltonians any number
+# a bounded cache: Casimirs are few, Hamiltonians any number
 @lru_cache(maxsize=256)
 def _gradient(f: Expr, coordinates: tuple[Symbol, ...]) -> ImmutableMatrix:
     return ImmutableMatrix(derivatives(f, coordinates))

@@ -213,7 +213,7 @@ def derivative_along(expression: Expr, *variables: Symbol) -> Expr:
 def smooth_where_positive(expression: Expr) -> tuple[Expr, ...]:
     """Return what has to be positive for the expression to be real and smooth.
 
-    For example x in √x and log x, and 1 − x² in asin x.
+    These are, for example, x in √x and log x, and 1 − x² in asin x.
     """
     roots = [p for p in occurring(expression, Pow) if p.exp.is_Rational and not p.exp.is_Integer]
     found: list[Expr] = [root.base for root in roots]
