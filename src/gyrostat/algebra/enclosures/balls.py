@@ -52,7 +52,7 @@ def ball(expression: Expr, precision: int, values: Mapping[Symbol, arb] = NOTHIN
 def accurate(number: Expr, bits: int) -> arb:
     """Enclose an exact number to so many significant bits; return 0 if it cannot be told from 0.
 
-    The precision is doubled until it is enough, or more than 8192 bits are asked for.
+    The precision is doubled until it is enough, or 8192 bits are reached.
 
     Examples
     --------

@@ -139,7 +139,7 @@ class HeavyForm(Form):
         return ACROSS if self.spectral_signs[0] == -1 else ALONG
 
     def known_damped(self) -> Decision | None:
-        """Return the same decision under damping: it is not known."""
+        """Return the decision under damping there, which is UNDECIDED."""
         return None if self.curve is None or self.signs[-1] else ALONG
 
     def held(self) -> Decision | None:

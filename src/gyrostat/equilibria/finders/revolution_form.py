@@ -115,7 +115,7 @@ class RevolutionForm(Form):
 
     @property
     def turns(self) -> bool:
-        """Whether it is a precession: sigma is not 0."""
+        """Whether it is a regular precession, in which ω turns in the body."""
         return self.label == PRECESSION
 
     @cached_property

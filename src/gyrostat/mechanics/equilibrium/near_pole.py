@@ -68,7 +68,7 @@ class NearPole:
         return lowest_terms(self._derivatives[n].xreplace({T: S.Zero}) / factorial(n))
 
     def derivative(self, n: int) -> Expr:
-        """Return the n-th derivative of U by k3 at the pole; it is infinite above a fractional power."""
+        """Return the n-th derivative of U by k3 at the pole; infinite if a lower power is not whole."""
         if any(m % self.order and self.coefficient(m) != 0 for m in range(1, n * self.order)):
             return S.ComplexInfinity
         return (-self.side) ** n * factorial(n) * self.coefficient(n * self.order)
