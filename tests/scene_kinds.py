@@ -78,6 +78,9 @@ class Case:
             along, k3 = e.form.described[0]
             place = along.subs(dict(zip(self.equilibrium.system.space.coordinates, point)))
             return k3 is not None and abs(float(place - k3)) < 1e-12
+        if e.locus.startswith("a curve"):                  # of which another point may stand in the list
+            place = dict(zip(map(gs.symbol, ("k1", "k2", "k3")), point[-3:]))
+            return abs(complex(e.form.curve.subs(place))) < 1e-12
         return e.locus == "the whole sphere" or _near(e.point, point)
 
 
@@ -178,6 +181,12 @@ CASES = {
         "inertia": [*"123"], "gyrostatic_momentum": [*"000"],
         "potential": "k1^2/2 + k2^2 + 3*k3^2/2 + (2*k1 + k2 + 2*k3)^2",
         "point": ["0", "-4/sqrt(5)", "3/sqrt(5)", "0", "-2/sqrt(5)", "1/sqrt(5)"]}, level={"omega": "1"}),
+    "on a curve of rotations": Case({}, {
+        "inertia": [*"123"], "gyrostatic_momentum": [*"000"],
+        "potential": "(k1*k2 + k3/2)^2", "point": [*"000100"]}, level={"omega": "0"}),
+    "on a curve, unstable": Case({}, {
+        "inertia": [*"123"], "gyrostatic_momentum": [*"000"],
+        "potential": "-(k1*k2 + k3/2)^2", "point": [*"000100"]}, level={"omega": "0"}),
     "an integral that is given": Case({"omega": "5"}, {
         "inertia": ["2", "2", "1"], "gyrostatic_momentum": ["0", "0", "0"], "potential": "-k1",
         "integrals": [KOVALEVSKAYA], "point": ["2*omega", *"00100"]}, level={"omega": "5"}),
