@@ -1,4 +1,6 @@
 """Scenes and reports that many tests read; derived once."""
+import os
+
 import pytest
 from hypothesis import settings
 
@@ -8,6 +10,8 @@ import gyrostat as gs
 settings.register_profile("thorough", deadline=None, derandomize=True, max_examples=200)
 settings.register_profile("exact", deadline=None, derandomize=True, max_examples=25)
 settings.load_profile("exact")
+
+os.environ.pop("COLUMNS", None)                       # what is captured has the width of a pipe, in any shell
 
 
 def pytest_addoption(parser):

@@ -43,6 +43,16 @@ def test_files_and_pipes_have_a_width_of_their_own(capsys, terminal, tmp_path):
     assert Output(None).width == 60 and Output("e1.txt").width == 100
 
 
+@pytest.mark.parametrize(("columns", "width"), [("76", 76), ("40", 60), ("", 100)])
+def test_a_pipe_obeys_the_columns_that_are_set(capsys, monkeypatch, columns, width):
+    """COLUMNS of the environment, and 100 without it; the words are the same."""
+    _, piped, _ = run(capsys, *SCENE)
+    monkeypatch.setenv("COLUMNS", columns)
+    _, fitted, _ = run(capsys, *SCENE)
+    assert Output(None).width == width and max(map(len, fitted.splitlines())) <= width
+    assert (fitted == piped) == (width == 100)
+
+
 def test_short_formulas_are_left_whole(capsys, terminal):
     """No line ends in √(−I₁ m₀)."""
     terminal(60)

@@ -50,8 +50,8 @@ class Output:
 
     @property
     def width(self) -> int:
-        """The columns of a text: those of the terminal it goes to, 100 in files and pipes."""
-        if self.path is not None or not on_terminal():
+        """The columns of a text: 100 in a file; COLUMNS if set; those of the terminal; 100 in a pipe."""
+        if self.path is not None or not (on_terminal() or os.environ.get("COLUMNS")):
             return WIDTH
         return max(NARROWEST, shutil.get_terminal_size().columns)
 
