@@ -37,9 +37,10 @@ def checked(verb: Callable[P, R]) -> Callable[P, R]:
     ...     return number / 2
     >>> half(3)
     1.5
-    >>> half("3")                                      # doctest: +ELLIPSIS
+    >>> half("3")  # doctest: +NORMALIZE_WHITESPACE
     Traceback (most recent call last):
-    gyrostat.errors.ArgumentError: number = '3' is a str, not a number: ...
+    gyrostat.errors.ArgumentError: number = '3' is a str, not a number:
+    check the order and kind of the arguments
     """
     inner: Any = verb
     while hasattr(inner, "__wrapped__"):
@@ -82,9 +83,10 @@ def several(given: Any, what: str, count: int | None = None) -> tuple[Any, ...]:
     --------
     >>> several([1, 2, 3], "axis", 3)
     (1, 2, 3)
-    >>> several("123", "axis", 3)                      # doctest: +ELLIPSIS
+    >>> several("123", "axis", 3)  # doctest: +NORMALIZE_WHITESPACE
     Traceback (most recent call last):
-    gyrostat.errors.ArgumentError: axis is a str, not several entries: ...
+    gyrostat.errors.ArgumentError: axis is a str, not several entries:
+    give 3 in brackets, (1, 2, 3)
     """
     wanted = f"{count} in brackets, (1, 2, 3)" if count else "them in brackets, (1, 2)"
     if not _is_sequence(given):

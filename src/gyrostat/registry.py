@@ -112,9 +112,11 @@ def check_names(expressions: Iterable[Expr], what: str, error: type[GyrostatErro
     --------
     >>> from gyrostat.errors import BodyError
     >>> from gyrostat.notation import symbol
-    >>> check_names([symbol("t")], "the rotor", BodyError)  # doctest: +ELLIPSIS
+    >>> check_names([symbol("t")], "the rotor", BodyError)  # doctest: +NORMALIZE_WHITESPACE
     Traceback (most recent call last):
-    gyrostat.errors.BodyError: the rotor depends on t, the time: the ...
+    gyrostat.errors.BodyError: the rotor depends on t, the time: the criteria
+    are for autonomous fields and bodies, which do not change with it: write
+    a constant in place of what changes
     """
     found = set[Symbol]().union(*(e.free_symbols for e in expressions))
     if names := refused(found, *also):

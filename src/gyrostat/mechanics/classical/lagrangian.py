@@ -71,8 +71,13 @@ def lagrangian(body: Gyrostat, potential: Potential | None = None, convention: s
     >>> import gyrostat as gs
     >>> body, field = gs.symmetric_gyrostat(), gs.uniform_field()
     >>> L = gs.mechanics.lagrangian(body, field)
-    >>> L.subs(gs.symbol("phi_dot"), 0)
-    I1*theta_dot**2/2 + I3*psi_dot**2/2 + l*psi_dot - m0*cos(theta)
+    >>> for term in L.as_ordered_terms():
+    ...     print(term)
+    I1*phi_dot**2*sin(theta)**2/2
+    I1*theta_dot**2/2
+    I3*(phi_dot*cos(theta) + psi_dot)**2/2
+    l*(phi_dot*cos(theta) + psi_dot)
+    -m0*cos(theta)
     """
     in_one_direction(potential, "the Lagrangian")
     omega = angular_velocity(convention)
@@ -152,9 +157,13 @@ def effective_potential(body: Gyrostat, potential: Potential) -> Expr:
     Examples
     --------
     >>> import gyrostat as gs
-    >>> body, field = gs.Gyrostat((1, 1, 1), (0, 0, 0)), gs.uniform_field()
-    >>> gs.mechanics.effective_potential(body, field)
-    m0*cos(theta) + p_psi**2/2 + (p_phi - p_psi*cos(theta))**2/(2*sin(theta)**2)
+    >>> body, field = gs.symmetric_gyrostat(), gs.uniform_field()
+    >>> V = gs.mechanics.effective_potential(body, field)
+    >>> for term in V.as_ordered_terms():
+    ...     print(term)
+    m0*cos(theta)
+    (-l + p_psi)**2/(2*I3)
+    (p_phi - p_psi*cos(theta))**2/(2*I1*sin(theta)**2)
     """
     in_one_direction(potential, "the effective potential")
     if not body.is_of_revolution() or not potential.axial:

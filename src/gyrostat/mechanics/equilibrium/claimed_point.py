@@ -41,9 +41,11 @@ def equilibrium(scene: System, point: Sequence[Any], *, relations: Sequence[tupl
     --------
     >>> import gyrostat as gs
     >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
-    >>> gs.equilibrium(top, (0, 0, 0, 1, 0, 0))  # doctest: +ELLIPSIS
+    >>> gs.equilibrium(top, (0, 0, 0, 1, 0, 0))  # doctest: +NORMALIZE_WHITESPACE
     Traceback (most recent call last):
-    gyrostat.errors.EquilibriumError: E is not an equilibrium: dpi2/dt = ...
+    gyrostat.errors.EquilibriumError: E is not an equilibrium:
+    dpi2/dt = -m0. Check the point, or in Python pass the relation that makes
+    these vanish as relations=((symbol, value),).
     """
     given = scene.potential is not None and scene.potential.given
     pairs = tuple((symbol(str(name)), exact_expression(value, str(name))) for name, value in relations)

@@ -82,10 +82,13 @@ class Reduction(Shown, Stored):
         Examples
         --------
         >>> import gyrostat as gs
-        >>> body = gs.Gyrostat((1, 1, 1), (0, 0, 0))
-        >>> top = gs.assemble(body, gs.uniform_field())
-        >>> gs.mechanics.reduce(top).effective_potential()
-        k3*m0 + p_psi**2/2 + (-k3*p_psi + p_phi)**2/(2*(1 - k3**2))
+        >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
+        >>> V = gs.mechanics.reduce(top).effective_potential()
+        >>> for term in V.as_ordered_terms():
+        ...     print(term)
+        k3*m0
+        (-l + p_psi)**2/(2*I3)
+        (-k3*p_psi + p_phi)**2/(2*I1*(1 - k3**2))
         """
         return self.axial + self._field(None) + self.twist * self.rate / 2
 
@@ -127,10 +130,16 @@ class Reduction(Shown, Stored):
         Examples
         --------
         >>> import gyrostat as gs
-        >>> body = gs.Gyrostat((1, 1, gs.symbol("I3")), (0, 0, gs.symbol("l")))
-        >>> top = gs.assemble(body, gs.axial_potential())
-        >>> gs.mechanics.reduce(top).restoring()
-        -d2U*k3**2 + d2U + 3*k3**2*omega**2 - 4*k3*omega*p_psi + omega**2 + p_psi**2
+        >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())
+        >>> whole = gs.mechanics.reduce(top).restoring()
+        >>> for term in whole.as_ordered_terms():
+        ...     print(term)
+        3*I1**2*k3**2*omega**2
+        I1**2*omega**2
+        -I1*d2U*k3**2
+        I1*d2U
+        -4*I1*k3*omega*p_psi
+        p_psi**2
         """
         return self._at_rate(self.system.body.moments[0] * self.across
                              * (symbol("d2U") + (self.twist * self.rate / 2).diff(K3, 2)))
