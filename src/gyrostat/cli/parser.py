@@ -87,6 +87,9 @@ def parser() -> argparse.ArgumentParser:
     verify.add_argument("sources", nargs="*", metavar="SOURCE",
                         help="VV2003, N2025, EA, AR, literature, windows, satellites, or a .toml file of "
                         "your own; left out: the first seven")
+    verify.add_argument("--full", action="store_true",
+                        help="print whole formulas, the hypotheses of each statement, and by which route a "
+                        "confirmed one was derived and compared")
     decide.add_argument("--format", choices=("text", "json"), help="left out: text, of a batch JSON")
     for verb in (report, conditions, verify):
         verb.add_argument("--format", choices=("text", "latex", "json"), default="text")
