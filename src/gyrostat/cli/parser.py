@@ -86,7 +86,10 @@ def parser() -> argparse.ArgumentParser:
     chart.add_argument("--output", metavar="FILE", help="chart.png, .pdf, .svg, .nc or .zarr")
     verify.add_argument("sources", nargs="*", metavar="SOURCE",
                         help="VV2003, N2025, EA, AR, literature, windows, satellites, or a .toml file of "
-                        "your own; left out: the first seven")
+                        "your own; default: the first seven")
+    verify.add_argument("--full", action="store_true",
+                        help="print whole formulas, the hypotheses of each statement, and by which route a "
+                        "confirmed one was derived and compared")
     decide.add_argument("--format", choices=("text", "json"), help="left out: text, of a batch JSON")
     for verb in (report, conditions, verify):
         verb.add_argument("--format", choices=("text", "latex", "json"), default="text")

@@ -4,7 +4,7 @@ from itertools import groupby
 from textwrap import wrap
 from typing import Any
 
-from sympy import Expr, MatrixBase
+from sympy import Expr, Float, MatrixBase
 
 from ..algebra.rings.readable import readable
 from ..mechanics.classical.attitude import reduced
@@ -12,10 +12,12 @@ from ..printing.formats.text import plain
 from ..printing.formats.unicode import unicode
 from ..stability.criteria.conditions import Criterion
 from .checks.findings import Finding, source_of
-from .statements import Counterexample, entry_of
+from .hypotheses import hypotheses
+from .statements import Counterexample, as_text, entry_of
 
 NOT_SHARP = "no point was found at which it fails, but it is not the whole condition:"
 SCENE = "the numbers of the scene"
+SHORT = 36                                             # characters of an exact number beside its digits
 _MARK = {"confirmed": "✓", "misprint": "✗", "unchecked": "–"}
 
 
@@ -41,11 +43,6 @@ def rows(finding: Finding) -> list[tuple[str, str, Any]]:
     return found
 
 
-def as_text(printed: Any) -> str:
-    """Texts of a list in brackets."""
-    return printed if isinstance(printed, str) else "[" + ", ".join(map(as_text, printed)) + "]"
-
-
 def _shown(value: Any) -> Any:
     return readable(reduced(value)) if isinstance(value, Expr) else value
 
@@ -64,8 +61,11 @@ def place(finding: Finding) -> Any:
     return eq.at if eq and eq.system.potential else None
 
 
-def text(findings: Iterable[Finding], width: int = 100) -> str:
-    """A table by source, each misprint with what is derived and its counterexample."""
+def text(findings: Iterable[Finding], width: int = 100, full: bool = False) -> str:
+    """List findings by source: what is derived, and of a misprint its counterexample.
+
+    If full, each has its hypotheses, and what is confirmed the route by which it was compared.
+    """
     lines: list[str] = []
     for _, group in groupby(findings, key=lambda f: f.statement.file):
         found = list(group)
@@ -73,22 +73,95 @@ def text(findings: Iterable[Finding], width: int = 100) -> str:
         lines += wrap(f"{source.name}: {source.title}", width) + [f"  {_counts(found)}", ""]
         size = max(len(f.statement.key) for f in found)
         for f in found:
-            unexpected = "" if f.status == f.expected else f"   ← expected: {f.expected}"
+            unexpected = f"   ← expected: {f.expected}" if source.expects and f.status != f.expected else ""
             lines += wrap(f"  {_MARK[f.status]} {f.status:<10} {f.statement.key:<{size}}  "
                           f"{f.statement.where}{unexpected}", width, subsequent_indent=" " * 15)
-            lines += [] if f.status == "confirmed" else _details(f, width)
+            lines += _lines([*(_confirmed(f, width, full) if f.status == "confirmed" else _details(f)),
+                             *(_assumed(f) if full else [])], width)
         lines.append("")
     return "\n".join(lines)
 
 
+def summary(findings: Iterable[Finding]) -> str:
+    """Count the statuses; where a source says what is expected, name what is not as expected."""
+    found, wrong, known = list(findings), list[str](), 0
+    for _, group in groupby(found, key=lambda f: f.statement.file):
+        ours = list(group)
+        if source_of(ours[0]).expects:
+            wrong += [f"{f.statement.source}:{f.statement.key}" for f in ours if f.status != f.expected]
+            known += sum(f.status == f.expected == "misprint" for f in ours)
+    if wrong:
+        return f"{_counts(found)}; not as expected: {', '.join(wrong)}"
+    if known:
+        return _counts(found) + ("; the known misprint was found" if known == 1
+                                 else f"; all {known} known misprints were found")
+    return _counts(found)
+
+
 def _counts(found: list[Finding]) -> str:
+    if len(found) == 1:
+        return f"1 statement: {found[0].status}"
     counts = [(sum(f.status == status for f in found), status) for status in _MARK]
-    return f"{len(found)} statement{'s' if len(found) > 1 else ''}: " + ", ".join(
-        f"{n} {status}" for n, status in counts if n
-    )
+    return f"{len(found)} statements: " + ", ".join(
+        f"{n} {status}{'s' if status == 'misprint' and n > 1 else ''}" for n, status in counts if n)
 
 
-def _details(f: Finding, width: int) -> list[str]:
+def _confirmed(f: Finding, width: int, full: bool) -> list[tuple[str, str]]:
+    """What is derived; in two lines unless full, and then with the route by which it was compared."""
+    derived = _derived(f)
+    if full:
+        return [("derived", derived), ("compared", f.outcome.route)]
+    if len(derived) > 2 * (width - 26):
+        derived = f"{derived[:width - 60].rpartition(' ')[0]} … ({len(derived)} characters, see --full)"
+    return [("derived", derived)]
+
+
+def _derived(f: Finding) -> str:
+    """What the library derives for the quantity of a statement, beside the quantity."""
+    s, value = f.statement, f.outcome.derived
+    quantity = as_text(s.quantity)
+    if s.kind in ("condition", "statement", "count"):
+        return f"{quantity}: {_one_line(value, place(f))}"
+    if s.kind == "number":
+        return f"{quantity} {_decimal(value)}"
+    if s.kind == "equilibrium":
+        quantity = "state" if s.scene.equilibrium else "field"
+    elif s.kind == "solution":
+        quantity = f"dt({quantity})"
+    elif set(quantity) <= set("0[], "):                    # what is printed is equal to 0
+        quantity = as_text(s.printed)
+    return f"{quantity} = {_entries(value, place(f))}"
+
+
+def _entries(value: Any, at: Any) -> str:
+    """A formula, or those of a vector or matrix as a list."""
+    if not isinstance(value, MatrixBase):
+        return _shortest(value, at)
+    rows = [[_shortest(entry, at) for entry in row] for row in value.tolist()]
+    return as_text([row[0] for row in rows] if value.cols == 1 else rows)
+
+
+def _shortest(value: Expr, at: Any) -> str:
+    """A formula as it was derived, or factored if that is shorter."""
+    return min(unicode(value, at), unicode(_shown(value), at), key=len)
+
+
+def _decimal(value: Expr) -> str:
+    """A number after its sign: = and exact if that is short, else ≈ and 15 digits."""
+    exact, digits = unicode(value), str(value.evalf(15))
+    if len(exact) > SHORT or value.has(Float):
+        return f"≈ {digits}"
+    return f"= {exact}" if value.is_Rational else f"= {exact} ≈ {digits}"
+
+
+def _assumed(f: Finding) -> list[tuple[str, str]]:
+    """The hypotheses of a statement, written with its derivatives of U taken where they are."""
+    return [(name, "".join(x if isinstance(x, str) else unicode(x, place(f)) for x in pieces))
+            for name, pieces in hypotheses(f.statement)]
+
+
+def _details(f: Finding) -> list[tuple[str, str]]:
+    """What is right of a misprint and what shows it; why nothing is known of what is unchecked."""
     pairs: list[tuple[str, str]] = []
     if f.status == "misprint":
         pairs.append(("about", as_text(f.statement.quantity)))
@@ -104,7 +177,10 @@ def _details(f: Finding, width: int) -> list[str]:
         if f.outcome.remark and f.outcome.derived is not None:
             pairs.append(("derived", _one_line(_shown(f.outcome.derived), place(f))))
         pairs += [("because", f.outcome.remark)] if f.outcome.remark else []
-    pairs += [("note", f.statement.note)] if f.statement.note else []
+    return pairs + ([("note", f.statement.note)] if f.statement.note else [])
+
+
+def _lines(pairs: Iterable[tuple[str, str]], width: int) -> list[str]:
     lines = []
     for label, value in pairs:
         lines += wrap(f"{label + ':':<10} {value}", width, initial_indent=" " * 15,
@@ -135,7 +211,9 @@ def to_json(findings: Iterable[Finding]) -> list[dict[str, Any]]:
              "status": f.status, "expected": f.expected, "difference": _difference(f),
              "counterexample": _example(f.outcome.counterexample),
              "not_sharp": _example(f.outcome.not_sharp), "remark": f.outcome.remark,
-             "note": f.statement.note} for f in findings]
+             "note": f.statement.note, "route": f.outcome.route,
+             "hypotheses": {name: "".join(map(str, pieces)) for name, pieces in hypotheses(f.statement)}}
+            for f in findings]
 
 
 def _plain(value: Any, status: str) -> Any:

@@ -36,6 +36,8 @@ class Source:
     statements : tuple of Statement
     expected : mapping of key to status
         "misprint" or "unchecked"; everything else is expected to be confirmed
+    expects : bool
+        whether it says so: a file of one's own does if it has a table [expected]
 
     Examples
     --------
@@ -49,6 +51,7 @@ class Source:
     title: str
     statements: tuple[Statement, ...]
     expected: Mapping[str, str] = field(hash=False)
+    expects: bool = True
 
 
 @checked
@@ -127,7 +130,8 @@ def _read(path: Path | Traversable, expected: Mapping[str, Any] | None) -> Sourc
     if unknown := set(status) - set(keys):
         raise PublishedError(f"{path}: a status is expected of {', '.join(sorted(unknown))}, but there is "
                              "no such key")
-    return Source(header["name"], header["title"], tuple(statements), status)
+    return Source(header["name"], header["title"], tuple(statements), status,
+                  expected is not None or "expected" in data)
 
 
 @contextmanager

@@ -112,6 +112,8 @@ class Outcome:
         what a misprint should read, None without one
     remark : str
         what is known where there are no such numbers
+    route : str
+        how a confirmed statement was derived and compared
 
     Examples
     --------
@@ -129,6 +131,7 @@ class Outcome:
     not_sharp: Counterexample | None = None
     corrected: Any = field(default=None, hash=False)
     remark: str = ""
+    route: str = ""
 
 
 @dataclass(frozen=True)
@@ -172,3 +175,8 @@ class Seen:
 def entry_of(place: Any, derived: Any) -> str:
     """Which entry of a vector or matrix a place is, in words; nothing of what has no entries."""
     return f"entry {', '.join(str(i + 1) for i in place[:derived.cols])}: " if place else ""
+
+
+def as_text(printed: Any) -> str:
+    """A text as it is, a list of texts in brackets."""
+    return printed if isinstance(printed, str) else "[" + ", ".join(map(as_text, printed)) + "]"

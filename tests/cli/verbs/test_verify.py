@@ -50,8 +50,9 @@ def test_verify_text(capsys):
     status, out, err = verify(capsys, "AR")
     assert status == 0
     assert err == ""
-    assert "39 confirmed, 5 misprint, 2 unchecked" in out
-    assert out.endswith("46 statements, all as expected\n")
+    assert "39 confirmed, 5 misprints, 2 unchecked\n" in out
+    assert out.endswith("46 statements: 39 confirmed, 5 misprints, 2 unchecked; "
+                        "all 5 known misprints were found\n")
     assert "printed:   (I2 - I3)*omega1*omega2" in out and "right:     (I2 - I3)*omega2*omega3" in out
 
 
@@ -61,7 +62,10 @@ def test_verify_json(capsys, checked_once):
     data = json.loads(out)["statements"]
     assert set(data[0]) == {"source", "key", "where", "quantity", "kind", "printed", "derived", "status",
                             "expected", "difference",
-                            "counterexample", "not_sharp", "remark", "note"}
+                            "counterexample", "not_sharp", "remark", "note", "route", "hypotheses"}
+    assert data[0]["hypotheses"] == {"body": "moments of inertia I1, I2, I3, positive",
+                                     "field": "none, the body is free"}
+    assert all(bool(d["route"]) == (d["status"] == "confirmed") for d in data)
     (wrong,) = (d for d in data if d["key"] == "2K-dot")
     assert wrong["status"] == "misprint"
     assert set(wrong["counterexample"]) == {"values", "printed", "derived", "confirmation"}
@@ -98,10 +102,11 @@ def test_verify_a_file_of_ones_own(capsys, tmp_path):
     path = tmp_path / "mine.toml"
     path.write_text(OWN)
     status, out, _ = verify(capsys, str(path))
-    assert status == 1 and "expected: confirmed" in out and "1 of 1 are not as expected: mine:stable" in out
+    assert status == 1 and "expected" not in out and out.endswith("\n1 statement: misprint\n")
     assert "I₃² (ω₃⁰)² > 4 I₁ m₀" in out and "has the real part" in " ".join(out.split())
     path.write_text(OWN.replace("2*I1*m0", "4*I1*m0"))
-    assert verify(capsys, str(path))[0] == 0
+    status, out, _ = verify(capsys, str(path))
+    assert status == 0 and "expected" not in out and out.endswith("\n1 statement: confirmed\n")
     path.write_text(OWN.replace("2*I1*m0", "4*I1*mass"))
     status, out, err = verify(capsys, str(path))
     assert status == 2 and out == "" and f"{path}: stable: " in err and "mass is not a name" in err
@@ -127,3 +132,45 @@ def test_progress_on_a_terminal(capsys, tmp_path, monkeypatch):
     (path := tmp_path / "mine.toml").write_text(OWN)
     _, out, err = verify(capsys, str(path))
     assert "#" in err and "mine" in err and err.rstrip(" ").endswith("\r") and "#" not in out
+
+
+EXPECTING = OWN + '\n[expected]\n{}\n'
+
+
+@pytest.mark.parametrize(("expected", "status", "last"), [
+    ('misprint = ["stable"]', 0, "1 statement: misprint; the known misprint was found"),
+    ("", 1, "1 statement: misprint; not as expected: mine:stable")])
+def test_a_file_says_what_is_expected(capsys, tmp_path, expected, status, last):
+    """Only then the summary, and the line of the statement, speak of it."""
+    (path := tmp_path / "mine.toml").write_text(EXPECTING.format(expected))
+    found, out, _ = verify(capsys, str(path))
+    assert found == status and out.endswith(f"\n{last}\n")
+    assert ("← expected: confirmed" in out) == bool(status)
+
+
+def test_what_is_confirmed_is_shown(capsys, tmp_path):
+    """The derived formula; with --full the route and each hypothesis beside it, of a misprint the latter."""
+    path = tmp_path / "mine.toml"
+    path.write_text(OWN.replace("2*I1*m0", "4*I1*m0"))
+    _, short, _ = verify(capsys, str(path))
+    _, full, _ = verify(capsys, str(path), "--full")
+    said = " ".join(full.split())
+    assert "derived:   sufficient for stability: I₃² (ω₃⁰)² > 4 I₁ m₀" in short
+    assert short.count("\n") == 6 and "compared" not in short and "field:" not in short
+    assert "compared: derived from the formal criterion: " in said
+    assert "both conditions have the same normal form" in said
+    assert "body: moments of inertia I₁, I₁, I₃, positive" in said and "field: U = m₀ k₃" in said
+    assert "point: E1, (π₁, π₂, π₃, k₁, k₂, k₃) = (0, 0, I₃ ω₃⁰, 0, 0, 1)" in said
+    path.write_text(OWN)
+    _, wrong, _ = verify(capsys, str(path), "--full")
+    assert "field:     U = m₀ k₃" in wrong and "compared" not in wrong
+
+
+def test_a_long_formula_is_cut(capsys, checked_once):
+    """To two lines at most, and --full shows all of it."""
+    _, short, _ = verify(capsys, "AR")
+    _, full, _ = verify(capsys, "AR", "--full")
+    lines = short.splitlines()
+    (n,) = (n for n, line in enumerate(lines) if "inverse-rate " in line)
+    assert "dt(inverse(R)) = [[" in lines[n + 1] and lines[n + 1].endswith("characters, see --full)")
+    assert "characters, see --full" not in full and full.count("compared:  ") == 39

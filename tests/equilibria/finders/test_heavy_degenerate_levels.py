@@ -108,6 +108,15 @@ def test_a_curve_of_rotations_is_named():
     assert r.decision.verdict is gs.Verdict.UNDECIDED and "a curve of rotations" in r.decision.reason
 
 
+def test_rotations_on_a_curve_are_unstable_by_their_spectrum():
+    """U = ∓(k1 k2 + k3/2)² at rest: every point of a curve is a maximum across it, or a minimum."""
+    for sign, verdict in ((-1, "UNSTABLE"), (1, "UNDECIDED")):
+        (r,) = [r for r in directions(sign * (k1 * k2 + k3 / 2)**2, (1, 2, 3), {"omega": 0}) if r.locus]
+        assert r.locus.startswith("a curve, ") and r.decision.verdict == verdict
+        assert (r.decision.notion == "spectral") == (sign == -1)
+        assert r.damped.verdict == "UNDECIDED"             # a list counts no modes that grow there
+
+
 def test_circles_of_a_field_of_higher_degree():
     """U = (2 k3² − 1)² at rest: both poles, the equator and two circles, each by a point."""
     found = directions((2 * k3**2 - 1)**2, (1, 2, 3), {"omega": 0})

@@ -26,19 +26,12 @@ def run(given: argparse.Namespace, out: Output) -> int:
     except GyrostatError:
         progress.wipe()
         if findings and given.format == "text":            # what was checked before is not lost
-            out(listing.text(findings, out.width))
+            out(listing.text(findings, out.width, given.full))
         raise
     if given.format == "json":
         out(json_text({"statements": listing.to_json(findings)}))
     elif given.format == "latex":
         out(errata.latex(findings, paper_of(given)))
     else:
-        out(listing.text(findings, out.width) + _summary(findings) + "\n")
+        out(listing.text(findings, out.width, given.full) + listing.summary(findings) + "\n")
     return int(any(f.status != f.expected for f in findings))
-
-
-def _summary(findings: list[Finding]) -> str:
-    unexpected = [f"{f.statement.source}:{f.statement.key}" for f in findings if f.status != f.expected]
-    if unexpected:
-        return f"{len(unexpected)} of {len(findings)} are not as expected: {', '.join(unexpected)}"
-    return f"{len(findings)} statements, all as expected"

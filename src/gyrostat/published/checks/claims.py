@@ -6,6 +6,7 @@ from ...notation import symbol
 from ...stability.criteria.conditions import Criterion
 from ...stability.notion import Notion
 from ..statements import Doubt, Outcome
+from . import routes
 from .comparisons import comparisons
 from .criteria import DAMPED, K3, Claim, agree, criterion, free_symbols
 from .failing_points import suspects
@@ -34,7 +35,7 @@ def condition(r: Reading) -> Outcome | Doubt:
     claim = "sufficient for stability" if both else quantity
     same = agree(claim, printed, derived, r.claim.domain(claim))
     if same and not both:
-        return Outcome(True, printed, derived)
+        return Outcome(True, printed, derived, route=routes.of_condition(quantity, same))
     alike = same or "stability" in claim and agree(claim, printed, derived, r.claim.domain(claim),
                                                    strictness=False)
     if (
@@ -43,8 +44,8 @@ def condition(r: Reading) -> Outcome | Doubt:
         and claim.startswith("sufficient for stability") and claim != DAMPED
         and _stable_at_equality(r, derived)
     ):
-        return Outcome(True, printed, derived)
-    points = suspects(r, printed, derived, alike)
+        return Outcome(True, printed, derived, route=routes.of_condition(quantity, routes.AT_EQUALITY))
+    points = suspects(r, printed, derived, bool(alike))
     if not same:
         return Doubt(points, printed, derived)
     necessary = r.claim.derived("necessary for stability")
@@ -63,7 +64,7 @@ def _stable_at_equality(r: Reading, derived: Criterion) -> bool:
         if not slope.has(s) and s not in K and slope.is_nonzero:
             on = {s: (s - margin / slope).expand()}
             given = tuple(e.xreplace(on) for e in r.claim.given) + ((on[s],) if s.is_positive else ())
-            return Claim(r.scene, given, {**r.at, **on}).verdict() == "stable"
+            return Claim(r.scene, given, {**r.at, **on}).verdict()[0] == "stable"
     return False
 
 
@@ -76,9 +77,9 @@ def statement(r: Reading) -> Outcome | Doubt:
         if s.printed not in ("stable", "orbitally stable", "unstable"):
             raise PublishedError(f"printed = {brief(s.printed)}: a verdict is stable, orbitally stable "
                                  "(modulo the spin), or unstable")
-        verdict = r.claim.verdict()
+        verdict, route = r.claim.verdict()
         if verdict == s.printed or s.printed == "orbitally stable" and verdict.startswith("stable"):
-            return Outcome(True, s.printed, verdict)
+            return Outcome(True, s.printed, verdict, route=route)
         criteria = r.claim.report.necessary, r.claim.report.sufficient
         return Doubt(islice(r.points({s for c in criteria for s in free_symbols(c)}), 40), s.printed, verdict)
     if s.quantity == "second variation, Casimirs alone":

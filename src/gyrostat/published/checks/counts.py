@@ -6,6 +6,7 @@ from ...errors import PublishedError
 from ..independent.counterexample import Values
 from ..independent.counts_by_newton import found_by_search
 from ..statements import Doubt, Outcome, Seen
+from . import routes
 from .readings import Reading
 
 INDICES = tuple(f"index {n}" for n in range(4))
@@ -28,7 +29,7 @@ def count(r: Reading) -> Outcome | Doubt:
     derived = _said(asked, [None if e.locus or not e.form.signs[-1] else e.form.index
                             for e in relative_equilibria(r.scene.system, values)])
     if derived == printed:
-        return Outcome(True, ", ".join(printed), ", ".join(derived))
+        return Outcome(True, ", ".join(printed), ", ".join(derived), route=routes.COUNTED)
     return Doubt([r.at], ", ".join(printed), ", ".join(derived))
 
 

@@ -20,6 +20,7 @@ from ...stability.notion import Notion
 from ...stability.report.analysis import analyze
 from ...stability.report.report import Report
 from ..scenes import Scene
+from . import routes
 from .sign_patterns import sign_pattern
 
 K3 = symbol("k3")
@@ -128,30 +129,30 @@ class Claim:
                                  "stability whatever its sign")
         return criterion("boundary", [(sign * rung.condition.margin, True)], self.equilibrium.at)
 
-    def verdict(self) -> str:
-        """stable, stable modulo a flow, unstable or undecided, where it is the same on the whole domain."""
+    def verdict(self) -> tuple[str, str]:
+        """The verdict, undecided unless it is the same on the whole domain, and what decided it."""
         sufficient, necessary = (normal(self.derived(f"{kind} for stability"), self.domain())
                                  for kind in ("sufficient", "necessary"))
         stable = "stable" + (f", modulo the flow of {', '.join(map(str, m))}"
                              if (m := self.report.sufficient.modulo) else "")
         if () in sufficient:
-            return stable
+            return stable, routes.HOLDS
         if not necessary:
-            return "unstable"
+            return "unstable", routes.FAILS
         sign = self._on_boundary() if not sufficient and () in necessary else None
         if sign is None:
             return self._at_numbers()
-        return stable if sign > 0 else "unstable"
+        return stable if sign > 0 else "unstable", routes.ON_BOUNDARY
 
-    def _at_numbers(self) -> str:
+    def _at_numbers(self) -> tuple[str, str]:
         """What normal forms and the like decide, where `at` gives a number for every name."""
         numbers = {s.name: value for s, value in self.at.items() if value.is_number}
         if not numbers.keys() >= set(self.report.required):
-            return "undecided"
+            return "undecided", ""
         decision = self.report.verdict({name: value for name, value in numbers.items()
                                         if name in self.report.parameters})
         notion = f", {decision.notion} {decision.scope}" if decision.level else ""
-        return decision.verdict.name.lower() + notion
+        return decision.verdict.name.lower() + notion, f"decided at the numbers given: {decision.reason}"
 
     def _on_boundary(self) -> int | None:
         """The sign of the first coefficient that is not 0, where it is the same on the whole domain.
@@ -208,8 +209,8 @@ def _item(condition: Condition, signs: Signs) -> Item:
 
 
 def agree(claim: str, printed: Criterion, derived: Criterion, domain: Iterable[Expr],
-          strictness: bool = True) -> bool:
-    """Whether a printed condition is the derived one, or is it but for > and ≥.
+          strictness: bool = True) -> str:
+    """How a printed condition is the derived one, or is it but for > and ≥; "" if it is not.
 
     A sufficient condition for instability may leave out where an even factor vanishes.
     """
@@ -222,7 +223,10 @@ def agree(claim: str, printed: Criterion, derived: Criterion, domain: Iterable[E
                           if strictness or margin.free_symbols) for a in normal(side, domain)}
 
     theirs, ours = bare(printed), bare(derived)
-    return theirs == ours or {sign_pattern(a) or a for a in theirs} == {sign_pattern(a) or a for a in ours}
+    if theirs == ours:
+        return routes.SAME_FORM
+    patterns = [{sign_pattern(a) or a for a in side} for side in (theirs, ours)]
+    return routes.SAME_SIGNS if patterns[0] == patterns[1] else ""
 
 
 def free_symbols(given: Criterion) -> set[Symbol]:

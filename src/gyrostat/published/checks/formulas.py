@@ -12,6 +12,7 @@ from ...notation import symbol
 from ..language import decimal, read
 from ..names.derived_names import is_zero
 from ..statements import Doubt, Outcome
+from . import routes
 from .readings import Reading
 from .sampling import on_family
 
@@ -23,7 +24,7 @@ def identity(r: Reading) -> Outcome | Doubt:
     entries, places = _entries(printed, derived)
     wrong = [(place, p, d) for place, (p, d) in zip(places, entries) if not _equal(p, d)]
     if not wrong:
-        return Outcome(True, printed, derived)
+        return Outcome(True, printed, derived, route=routes.of_identity(r.scene, len(entries) > 1))
     difference = tuple((place, reduced(p - d)) for place, p, d in wrong)
     place, p, d = wrong[0]
     return Doubt(_where_they_differ(r, p, d), printed, derived, difference, (p, d), place)
@@ -76,7 +77,8 @@ def equilibrium(r: Reading) -> Outcome | Doubt:
     field = r.finish(scene.system.jet_field.xreplace(dict(zip(coordinates, point))))
     left = tuple(((i, 0), reduced(rate)) for i, rate in enumerate(field) if not is_zero(rate))
     if not left:
-        return Outcome(True, point, ImmutableMatrix(scene.point))
+        return Outcome(True, point, ImmutableMatrix(scene.point or field),
+                       route=routes.of_point(scene.equilibrium))
     rate = field[left[0][0][0]]
     points = (values for values in r.points(list(field)) if _differ(rate, Integer(0), values))
     return Doubt(points, point, ImmutableMatrix(scene.point), left, (rate,), left[0][0])
@@ -112,7 +114,8 @@ def solution(r: Reading) -> Outcome | Doubt:
                      sides, (i, 0), place)
     missing = len(names) - _rank(printed, [symbol(c) for c in s.constants]) if s.constants else 0
     if not missing:
-        return Outcome(True, printed, printed)
+        return Outcome(True, printed, ImmutableMatrix(rates),
+                       route=routes.of_solution(len(names) if s.constants else 0))
     known = f"a solution with {len(names) - missing} of the {len(names)} constants of the general one"
     fixed = [(i, f) for i, f in enumerate(printed.subs(t, 0)) if f.is_number]
     starts = [read(n, r.names) for n in names]
@@ -138,6 +141,6 @@ def rounded(r: Reading) -> Outcome | Doubt:
                              f"{', '.join(sorted(map(str, derived.free_symbols)))}: give numbers under at")
     excess = abs(derived.evalf(50) - printed)
     if excess <= half:
-        return Outcome(True, s.printed, derived)
+        return Outcome(True, s.printed, derived, route=routes.of_number(str(s.printed)))
     at = on_family(r.scene, r.at)
     return Doubt([at], s.printed, derived, ((None, printed - derived.evalf(20)),))
