@@ -66,7 +66,7 @@ def test_the_list_says_the_same(case):
         return
     found, here = case.listed(), gs.analyze(case.at_numbers)
     assert said(found.decision) == both(here, {})[0]
-    if found.locus != "the whole sphere":                # of which one rotation stands for all
+    if found.locus != "the whole sphere":                  # of which one rotation stands for all
         assert said(found.damped) == both(here, {})[1]
     own = here.itself({}) if found.decision.modulo else None
     assert (found.itself is None) == (own is None) and (own is None or said(found.itself) == said(own))

@@ -2,8 +2,9 @@
 
 A source is a file (`sources`) of `statements` about `scenes`, in a small `language`. `names` derives what a
 formula may name, `checks` compares the formula with what is derived, and `independent` confirms each
-counterexample from Newton and Euler's equations. `listing` shows what was found as text and JSON, `errata`
-the misprints in LaTeX, each formula as it is printed (`printed_latex`).
+counterexample from Newton and Euler's equations. `listing` shows what was found as text and JSON, with the
+`hypotheses` of each statement, `errata` the misprints in LaTeX, each formula as it is printed
+(`printed_latex`).
 """
 from .checks.findings import Finding, check
 from .sources import SOURCES, Source, load
