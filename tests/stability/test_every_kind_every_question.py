@@ -81,7 +81,12 @@ def test_a_continuation_says_the_same(case):
     given = dict(case.asks_for_all)
     at = Rational(given.pop(name))
     ends = at - Rational(1, 50), at + Rational(1, 50)
-    found = gs.continuation(case.equilibrium.system, name, ends, given)
+    try:
+        found = gs.continuation(case.equilibrium.system, name, ends, given)
+    except ScopeError as refused:                          # an asymmetric body in a field of degree 4
+        assert "U has degree 4 in k: rotations are followed where it has degree 1 or 2" in str(refused)
+        assert case is CASES["on a curve of rotations"]
+        return
     for beside in (at - Rational(1, 70), at + Rational(1, 70)):
         listed = gs.relative_equilibria(case.equilibrium.system, {**given, name: beside})
         followed = [p for p in found.pieces if p.parameter[0] < float(beside) < p.parameter[-1]]
