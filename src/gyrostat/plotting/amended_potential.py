@@ -16,7 +16,8 @@ from ..mechanics.scenes.system import System
 from ..stability.decision import Verdict
 from .globe import across, circle, curves_of, dots_of, stage
 from .headings import heading, of_scene
-from .looks import BLUE, DARK, axes_of, label, legend, line, marker
+from .legends import legend
+from .looks import BLUE, DARK, axes_of, label, line, marker
 from .scene_numbers import numbers_of
 
 CURVES, CELLS = 14, 96                                     # levels; cells along an edge of the cube

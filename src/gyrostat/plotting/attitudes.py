@@ -16,7 +16,8 @@ from ..mechanics.scenes.system import System
 from ..stability.decision import Verdict
 from .globe import circle, curve_on, dots_on, stage
 from .headings import heading, of_scene
-from .looks import GREY, axes_of, label, legend, marker, meaning, named
+from .legends import legend, named
+from .looks import GREY, axes_of, label, marker, meaning
 
 LENGTH = 0.22                                              # of the line along n
 FIRST, WIDEST = 64, 1e-12                                  # bits of the first enclosure; of one that is drawn

@@ -10,7 +10,8 @@ from ..errors import ValuesError, optional, require
 from ..notation import dimension_of, order
 from .chart_curves import curves
 from .headings import field, heading, lines, number
-from .looks import AREAS, DESTROYED, INK, LOOKS, axes_of, label, legend, with_dimension
+from .legends import legend
+from .looks import AREAS, DESTROYED, INK, LOOKS, axes_of, label, with_dimension
 
 MODULO = {"the flow of pi3": "the spin"}                   # about the axis of the body
 # values of an axis that are drawn; of more, every second, third, …

@@ -14,7 +14,8 @@ from ..errors import ScopeError
 from ..mechanics.classical.free_precession import free_precession
 from .globe import across, arrow, circle, polygons, towards
 from .headings import heading, number, numbers
-from .looks import BLUE, INK, LOOKS, axes_of, label, legend
+from .legends import legend
+from .looks import BLUE, INK, LOOKS, axes_of, label
 
 
 @dataclass(frozen=True)

@@ -23,7 +23,8 @@ from ..printing.letters import letters_of
 from ..stability.decision import Verdict
 from .globe import dots_of
 from .headings import heading, of_scene
-from .looks import BLUE, DARK, GREY, axes_of, axis, label, legend, marker, meaning, named
+from .legends import legend, named
+from .looks import BLUE, DARK, GREY, axes_of, axis, label, marker, meaning
 from .scene_numbers import numbers_of
 
 THETA = symbol("theta")
@@ -181,7 +182,7 @@ def draw_effective_potential(scene: System, values: Mapping[str, Any], energy: A
     low = float(min([np.quantile(finite, 0.1) if infinite else finite.min(), *heights]))
     depth = max(heights, default=low) - low or float(np.quantile(finite, 0.4)) - low or 1.0
     ax.set(xlim=(0, np.pi), ylim=(low - 0.2 * depth, low + 2.2 * depth))
-    handles = [named(style, "$V$, every tilt an equilibrium" if found.level else "$V$")]
+    handles = [named(style, "every tilt an equilibrium")] if found.level else []
     if energy is not None:
         handles.append(named(_energy(ax, found, heights[-1]), "motion at the energy"))
     for verdict in Verdict:

@@ -11,7 +11,8 @@ from ..mechanics.families.circular_orbit import orbital_rate
 from ..mechanics.scenes.kind import Kind
 from ..trajectories import Motion, roll_pitch_yaw
 from .headings import heading, of_motion
-from .looks import BLUE, DARK, INK, axes_of, legend, named
+from .legends import legend, named
+from .looks import BLUE, DARK, INK, axes_of
 
 STYLES: dict[str, dict[str, Any]] = {"roll": {"color": DARK, "linestyle": (0, (4, 2))},
                                      "pitch": {"color": INK["undecided"], "linestyle": (0, (1, 1))},

@@ -16,7 +16,8 @@ from ..stability.decision import Verdict
 from .energy_levels import energies_between, floats, level_curve
 from .globe import circle, curve_on, curves_of, dots_of, stage
 from .headings import heading, of_sphere
-from .looks import BLUE, DARK, axes_of, label, legend, line, marker, named
+from .legends import legend, named
+from .looks import BLUE, DARK, axes_of, label, line, marker
 from .scene_numbers import numbers_of
 
 BAND = 5                                                   # polhodes between two critical energies

@@ -9,7 +9,8 @@ from ..errors import ValuesError
 from ..trajectories import Motion
 from .globe import circle, curve_on, dots_on, stage
 from .headings import heading, of_motion
-from .looks import BLUE, DARK, GREY, axes_of, label, legend, named
+from .legends import legend, named
+from .looks import BLUE, DARK, GREY, axes_of, label
 
 WIDEST = 0.5                                               # of a chord of the unit sphere: 29°
 

@@ -17,7 +17,8 @@ from ..mechanics.scenes.system import System, at_numbers, names_of_scene
 from ..notation import symbol
 from .globe import curves_of
 from .headings import heading, of_sphere
-from .looks import BLUE, DARK, axes_of, axis, legend
+from .legends import legend
+from .looks import BLUE, DARK, axes_of, axis
 
 ARC, CELLS = 400, 120                                      # samples of an arc, of the plane each way
 FOLD = {"color": DARK, "linewidth": 1.4}

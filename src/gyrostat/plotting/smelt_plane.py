@@ -20,7 +20,8 @@ from ..stability.report.analysis import analyze
 from ..stability.report.report import Report
 from .charts import draw_chart
 from .headings import number
-from .looks import DARK, axes_of, legend, named
+from .legends import legend, named
+from .looks import DARK, axes_of
 
 ROLL, YAW = symbol("k_R"), symbol("k_Y")
 POINTS = 400

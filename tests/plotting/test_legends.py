@@ -1,0 +1,138 @@
+"""Legends and the names beside marks: how much of a figure they take, and what they lie over."""
+import matplotlib.style
+import numpy as np
+import pytest
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
+from sympy import Rational
+
+import gyrostat as gs
+from gyrostat import plotting
+from gyrostat.charts import stability_chart
+from gyrostat.trajectories import motion
+
+MOST = 0.25
+FIELDS = {"1": lambda k: k, "2": lambda k: k - k**2, "3": lambda k: k**3 - k / 2,
+          "3, more marks": lambda k: -k**2 * Rational(5, 4) + k**3 * Rational(5, 4),
+          "4": lambda k: k**4 - k**2 / 2 + k / 20,
+          "4, more marks": lambda k: k / 4 - k**2 / 2 + 2 * k**3 - k**4 * Rational(5, 4)}
+GENERAL = {1: lambda a, b, c: a + b + c, 2: lambda a, b, c: a + b**2 + 2 * c**2,
+           3: lambda a, b, c: a**3 + b + c, 4: lambda a, b, c: c**4 + a * b + c}
+BODY = {"I1": 2, "I3": 1, "l": "3/2"}
+ORBIT = gs.circular_orbit(1)
+
+
+def flat():
+    return Figure().subplots()
+
+
+def space():
+    return Figure().add_subplot(projection="3d", elev=22, azim=40)
+
+
+def of_revolution(U):
+    """One picture of each function for a body of revolution in U(k3)."""
+    scene = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential(U))
+    spinning = gs.upright(scene, spin="omega3_0")
+    tilted = stability_chart(gs.analyze(gs.inclined(scene)), x=("k3", np.linspace(-0.9, 0.9, 40)),
+                             y=("omega", np.linspace(-2, 2, 40)), fixed={"I1": 2, "I3": 1})
+    damped = stability_chart(gs.analyze(spinning), x=("omega3_0", np.linspace(-4, 4, 40)),
+                             y=("l", np.linspace(-2, 2, 40)), fixed={"I1": 2, "I3": 1}, damped=True)
+    yield plotting.draw_bifurcation_diagram(scene, "omega", (-5, 5), BODY, flat())
+    yield plotting.draw_effective_potential(scene, {**BODY, "p_phi": "1/10", "p_psi": "1/10"}, 2, flat())
+    yield plotting.draw_energy_momentum(scene, {**BODY, "p_psi": "1/5"}, ax=flat())
+    yield plotting.draw_eigenvalues(spinning, "omega3_0", np.linspace(-6, 6, 100), BODY, flat())
+    yield plotting.draw_nutation(motion(scene, (0, 0, 3, "0.6", 0, "0.8"), BODY), np.linspace(0, 9, 300),
+                                 space())
+    yield from (plotting.draw_chart(chart, flat()) for chart in (tilted, damped))
+
+
+def of_three_moments(degree):
+    """The pictures of a body of three moments in U(k), without and with a rotor."""
+    for rotor in ((0, 0, 0), (0, "1/2", 1)):
+        scene = gs.assemble(gs.Gyrostat((1, 2, 3), rotor), gs.general_potential(GENERAL[degree]))
+        yield plotting.draw_amended_potential(scene, {"C1": "5/2"}, space())
+        if degree < 3:
+            yield plotting.draw_bifurcation_diagram(scene, "omega", ("1/10", 2), {}, flat())
+        if degree == 1:
+            yield plotting.draw_staude_cone(scene, {}, space())
+            yield plotting.draw_staude_plane(scene, {}, ax=flat())
+
+
+def without_a_field():
+    """Free bodies and satellites."""
+    free = gs.assemble(gs.Gyrostat((1, 2, 3), ("1/20", "1/10", gs.symbol("l3"))))
+    satellite = gs.assemble(gs.Gyrostat((1, "5/4", "8/5"), (0, 0, 0)), ORBIT)
+    moving = motion(satellite, gs.release(satellite, ("5 deg", 0, "-2 deg")))
+    bodies = {"ours": (60, 52, 35), "theirs": (60, 70, 35), "third": (50, 52, 35)}
+    yield plotting.draw_momentum_sphere(free, 1, {"l3": "1/2"}, ax=space())
+    yield plotting.draw_bifurcation_diagram(free, "l3", ("-1/2", 2), {"M": 1}, flat())
+    yield plotting.draw_rotor_set(gs.assemble(gs.Gyrostat((1, 2, 3))), {"l3": 0, "M": 1}, flat())
+    yield plotting.draw_cones((2, 1), 1, 2, space())
+    yield plotting.draw_attitudes(satellite, ax=space())
+    yield plotting.draw_librations(moving, np.linspace(0, 20, 200), flat())
+    yield plotting.draw_smelt_plane("1/2", bodies, flat())
+
+
+def measured(pictures):
+    """The part of its figure that each legend takes, as wide as a column of a paper."""
+    with matplotlib.style.context("gyrostat.plotting.paper"):
+        for ax in pictures:
+            canvas = FigureCanvasAgg(ax.figure)
+            canvas.draw()
+            if legend := ax.get_legend():
+                box = legend.get_window_extent(canvas.get_renderer())
+                yield box.width * box.height / (ax.figure.bbox.width * ax.figure.bbox.height)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("field", FIELDS)
+def test_a_legend_in_a_field_takes_less_than_a_quarter(field):
+    """Of a body of revolution, in fields of degree 1 to 4, those with the most kinds of marks included."""
+    parts = list(measured(of_revolution(FIELDS[field])))
+    assert len(parts) >= 6 and max(parts) < MOST, parts
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("degree", GENERAL)
+def test_a_legend_of_three_moments_takes_less_than_a_quarter(degree):
+    """On the sphere of directions and along a rate."""
+    parts = list(measured(of_three_moments(degree)))
+    assert len(parts) >= 2 and max(parts) < MOST, parts
+
+
+@pytest.mark.slow
+def test_a_legend_without_a_field_takes_less_than_a_quarter():
+    """Of free bodies and of satellites."""
+    parts = list(measured(without_a_field()))
+    assert len(parts) == 7 and max(parts) < MOST, parts
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("field", ["3, more marks", "4, more marks"])
+def test_names_beside_marks_lie_over_nothing(field):
+    """No vertex of a curve and no mark is under a name, and no name is over another or over the frame."""
+    scene = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential(FIELDS[field]))
+    with matplotlib.style.context("gyrostat.plotting.paper"):
+        ax = plotting.draw_bifurcation_diagram(scene, "omega", (-5, 5), BODY, flat())
+        FigureCanvasAgg(ax.figure).draw()
+    frame = ax.get_window_extent()
+    names = [text for text in ax.texts if text.get_text() not in ("E1", "E2", "E3")]
+    boxes = [text.get_window_extent() for text in names]
+    assert len(names) >= 4
+    assert not any(a.overlaps(b) for n, a in enumerate(boxes) for b in boxes[:n])
+    for name, box in zip(names, boxes):
+        assert frame.x0 < box.x0 and box.x1 < frame.x1 and frame.y0 < box.y0 and box.y1 < frame.y1
+        for line in ax.lines:
+            x, y = ax.transData.transform(line.get_xydata()).T
+            assert not ((box.x0 < x) & (x < box.x1) & (box.y0 < y) & (y < box.y1)).any(), name.get_text()
+        place, mark = ax.transData.transform(name.xy), np.array([[box.x0, box.y0], [box.x1, box.y1]])
+        assert np.linalg.norm(np.clip(place, *mark) - place) < 15 * ax.figure.dpi / 72
+
+
+def test_a_name_without_room_stands_in_the_legend():
+    """Of a picture that is too small for names beside its marks."""
+    scene = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential(FIELDS["4, more marks"]))
+    small = plotting.draw_bifurcation_diagram(scene, "omega", (-5, 5), BODY, Figure((1.2, 1.2)).subplots())
+    assert "fold at fixed rate" in [text.get_text() for text in small.get_legend().get_texts()]
+    assert not any(text.get_text() == "fold at fixed rate" for text in small.texts)
