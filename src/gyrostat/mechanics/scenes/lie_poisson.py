@@ -210,7 +210,8 @@ def lie_poisson(directions: Sequence[str] = ("k",),
 
     References
     ----------
-    Vera & Viguera (2003), §2; Marsden, Ratiu & Weinstein, Trans. Amer. Math. Soc. 281 (1984) 147-177.
+    Vera & Viguera (2003), §2; Marsden, Ratiu & Weinstein, Trans. Amer. Math. Soc. 281 (1984) 147-177;
+    written out in docs/explanation/derivations/conditions.md, section 1.
 
     Examples
     --------
