@@ -122,7 +122,7 @@ class LiePoisson(Shown, Stored):
 
         References
         ----------
-        Vera & Viguera (2003), §2.
+        Vera & Viguera (2003), §2; written out in docs/explanation/derivations/conditions.md, section 1.
 
         Examples
         --------
@@ -210,8 +210,7 @@ def lie_poisson(directions: Sequence[str] = ("k",),
 
     References
     ----------
-    Vera & Viguera (2003), §2; Marsden, Ratiu & Weinstein, Trans. Amer. Math. Soc. 281 (1984) 147-177;
-    written out in docs/explanation/derivations/conditions.md, section 1.
+    Vera & Viguera (2003), §2; Marsden, Ratiu & Weinstein, Trans. Amer. Math. Soc. 281 (1984) 147-177.
 
     Examples
     --------
