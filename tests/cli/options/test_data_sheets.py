@@ -13,7 +13,7 @@ from gyrostat.mechanics.families.scene_tables import SceneTable
 
 PAGE = Path(__file__).parents[3] / "docs" / "how-to" / "data-sheet.md"
 TEXT = PAGE.read_text(encoding="utf-8") if PAGE.exists() else ""
-FILES = dict(re.findall(r"```toml\n# (\S+)\n(.*?)```", TEXT, re.DOTALL))                # by the names on top of them
+FILES = dict(re.findall(r"```toml\n# (\S+)\n(.*?)```", TEXT, re.DOTALL))     # by the names on top of them
 COMMANDS = [line for block in re.findall(r"```sh\n(.*?)```", TEXT, re.DOTALL)
             for line in block.replace("\\\n", "").splitlines()]
 SATELLITE = """
