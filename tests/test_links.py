@@ -72,6 +72,17 @@ def test_files_that_are_named_exist(page):
     assert [name for name in ours if not is_place(name)] == []
 
 
+@pytest.mark.parametrize("package", sorted(PACKAGES))
+def test_pages_that_docstrings_name_exist(package):
+    """Each with its sections, which are numbered."""
+    for path in SRC.joinpath(package).rglob("*.py"):
+        text = re.sub(r"\s+", " ", path.read_text(encoding="utf-8"))
+        for name, sections in re.findall(r"(docs/[\w/-]+\.md)(?:, sections? ([\d, and]*\d))?", text):
+            page = (ROOT / name).read_text(encoding="utf-8")
+            for number in re.findall(r"\d+", sections):
+                assert f"\n## {number}. " in page, (path.name, name, number)
+
+
 def design(start, end):
     """A part of the page on design."""
     text = (ROOT / "docs" / "explanation" / "design.md").read_text(encoding="utf-8")
