@@ -1,15 +1,12 @@
 """gyrostat decide: verdicts at numbers, of the equilibrium they name or of all they allow."""
 import argparse
 
-from sympy import CRootOf, Expr
-
-from ...algebra.enclosures.balls import Enclosed
 from ...notation import symbol
 from ...printing.blocks import Block, Display, Heading, Word, sentence
-from ...printing.formats.json_data import double, form_data, json_text, window_data
+from ...printing.formats.json_data import form_data, json_text, window_data
 from ...printing.formats.text import text
+from ...printing.numbers import number as written
 from ...printing.results.decision import damped_block, decision_blocks, note_blocks, reason_block
-from ...printing.results.interval_ends import number as rounded
 from ...printing.results.normal_form import form_blocks, window_blocks
 from ...questions.answers.answer_list import answers_data, note_once
 from ...questions.answers.answers import Answer, answers_at, normal_form_of
@@ -23,8 +20,7 @@ from ..batch.batch import run as each
 from ..options.scene_files import asked_of, with_scene
 from ..output import Output
 
-LONG = 200                                                 # characters that nobody reads
-
+ANY = Word("any", "any")
 _NOWHERE = "No such relative equilibrium exists at these numbers."
 
 
@@ -62,30 +58,12 @@ def run(given: argparse.Namespace, out: Output) -> int:
 def _blocks(answer: Answer) -> list[Block]:
     blocks: list[Block] = [Heading(answer.label)]
     if answer.place:
-        blocks += [Display(symbol(name), _value(number)) for name, number in answer.place.items()]
-    blocks += [Display(symbol(name), rounded(rate)) for name, rate in answer.rates.items()]
+        blocks += [Display(symbol(name), ANY if number is None else written(number))
+                   for name, number in answer.place.items()]
+    blocks += [Display(symbol(name), written(rate)) for name, rate in answer.rates.items()]
     blocks += [*decision_blocks(answer.decision, answer.at), reason_block(answer.decision),
                damped_block(answer.decision, answer.damped)]
     if answer.itself is not None:
         blocks += [*decision_blocks(answer.itself, answer.at, "The point itself"),
                    reason_block(answer.itself)]
     return blocks
-
-
-def _value(number: Expr | None) -> Word:
-    """A number exactly, and as a decimal where that says more; a long one as a decimal alone."""
-    if number is None:
-        return Word("any", "any")
-    if _is_long(number):
-        return rounded(number)
-    text = (
-        str(number)
-        if number.is_Integer
-        else f"{number} ≈ {f'{value:.10g}' if (value := double(number)) else number.evalf(10)}"
-    )
-    return Word(text, text)
-
-
-def _is_long(number: Expr) -> bool:
-    """Whether its text is, or is that of the root of a polynomial, which nobody reads."""
-    return number.has(CRootOf, Enclosed) or len(str(number)) > LONG
