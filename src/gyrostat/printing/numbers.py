@@ -71,8 +71,10 @@ def in_sentence(value: Expr) -> Any:
     return Number(written.parts[:1]) if isinstance(value, CRootOf) else written
 
 
-def in_a_cell(value: Expr) -> str:
+def in_a_cell(value: Expr | None) -> str:
     """A number in a column of a text: a short fraction as it is, of any other number four digits.
+
+    None stands for every number.
 
     Examples
     --------
@@ -80,6 +82,8 @@ def in_a_cell(value: Expr) -> str:
     >>> in_a_cell(Rational(-5, 12)), in_a_cell(sqrt(2) / 2)
     ('−5/12', '0.7071')
     """
+    if value is None:
+        return "any"
     if isinstance(value, Rational) and len(exact := unicode(value)) <= CELL:
         return exact
     return _written(_decimal(value), BESIDE, ROUND_HALF_EVEN).text

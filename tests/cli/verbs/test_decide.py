@@ -82,7 +82,7 @@ def test_frequencies_change_along_a_continuum(capsys):
     assert (every["label"], every["locus"]) == ("E3", "every k3 from −1 to 1")
     assert every["place"]["k3"] is every["frequencies"] is every["growth_rate"] is None
     assert e1["frequencies"] and e2["frequencies"]
-    _, out, _ = decide(capsys, *body)
+    _, out, _ = decide(capsys, *body, "--full")
     assert out.count("frequency₁ = 1/2") == out.count("frequency") == 2 and "k₃ = any" in out
 
 

@@ -1,6 +1,7 @@
 """Conjunctions of polynomial inequalities.
 
-What always holds, what follows from what, and one multiplier eliminated.
+What always holds, what follows from what, and one multiplier eliminated; an example is worked out in
+docs/explanation/derivations/conditions.md, section 7.
 """
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field, replace

@@ -44,7 +44,7 @@ def spectral_criterion(linearization: Linearization) -> Criterion:
 
     References
     ----------
-    Vera & Viguera (2003), §5.
+    Vera & Viguera (2003), §5; derived in docs/explanation/derivations/conditions.md, section 4.
 
     Examples
     --------
@@ -86,7 +86,8 @@ def formal_criterion(variation: SecondVariation) -> Criterion:
 
     References
     ----------
-    Holm, Marsden, Ratiu & Weinstein (1985); elimination: the maximum of a quadratic.
+    Holm, Marsden, Ratiu & Weinstein (1985); elimination: the maximum of a quadratic. Derived in
+    docs/explanation/derivations/conditions.md, sections 5 and 7.
 
     Examples
     --------
