@@ -49,7 +49,7 @@ html_favicon = "_static/favicon.svg"
 html_static_path = ["_static"]
 html_css_files = ["site.css"]
 html_copy_source = False
-html_sidebars = {"faq": [], "gallery/index": []}       # no pages below these
+html_sidebars = {"install": [], "faq": [], "gallery/index": []}       # no pages below these
 html_theme_options = {
     "header_links_before_dropdown": 6,
     "show_toc_level": 2,

@@ -48,6 +48,14 @@ def test_extras_are_installed_in_one_way(page):
     assert all(install.startswith('"gyrostat[') for install in installs), installs
 
 
+def test_the_library_is_set_up_by_one_command():
+    """Home page and install page have that of README."""
+    readme = (ROOT / "README.md").read_text(encoding="utf-8")
+    command, = re.findall(r"^python3 -m venv .* report$", readme, re.MULTILINE)
+    for page in ("index.md", "install.md"):
+        assert f"\n{command}\n" in (ROOT / "docs" / page).read_text(encoding="utf-8"), page
+
+
 def is_place(name):
     """Whether it is a folder of the library, or a module in one."""
     return (SRC / name).exists() or (SRC / f"{name}.py").exists()
