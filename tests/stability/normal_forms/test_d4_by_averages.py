@@ -10,7 +10,7 @@ from sympy import Poly, expand, rem, symbols
 from window_scenes import windows
 
 import gyrostat as gs
-from gyrostat.stability.normal_forms.d4_by_averages import averages, weights
+from gyrostat.stability.normal_forms.d4_by_averages import _weights, averages
 from gyrostat.stability.normal_forms.local_motion import fraction, local_motion
 
 KINDS = {"uniform, at rest in the body": (False, True, False), "uniform, with a rotor": (False,),
@@ -76,7 +76,7 @@ def test_the_weights_are_the_sum_of_the_forced_motions():
         add(-factor * both, first_odd, second_odd, answer)
         add(factor * (a + both), first_odd, second, turning)
         add(factor * (p - a + both), first, second_odd, turning)
-    known = {tuple(sorted(orders)): c for orders, c in weights(p, q).items()}
-    assert known.keys() == {orders for orders, c in found.items() if reduced(c) != 0}
-    for orders, c in known.items():
+    weights = {tuple(sorted(orders)): c for orders, c in _weights(p, q).items()}
+    assert weights.keys() == {orders for orders, c in found.items() if reduced(c) != 0}
+    for orders, c in weights.items():
         assert Poly(reduced(48 * found[orders]) - c, p, q, a, m).is_zero

@@ -79,12 +79,12 @@ def averages(parts: Sequence[Part]) -> Averages:
     turned = [[multiplied(matrix, T[n]) for n in ALL] for matrix in M]
     forced = sum(c * sum(M[j][b][d] * _trace(turned[i][b], turned[k][d])
                          for b in ALL for d in ALL if not is_zero(M[j][b][d]))
-                 for (i, j, k), c in weights(p, q).items())
+                 for (i, j, k), c in _weights(p, q).items())
     top = ratio * (3 * q * quartic + 12 * still) - 2 * forced
     return Averages(p, q, top, 96 * q**2 * discriminant * ratio)
 
 
-def weights(p: Any, q: Any) -> dict[tuple[int, int, int], Any]:
+def _weights(p: Any, q: Any) -> dict[tuple[int, int, int], Any]:
     """c_ijk of the sum, derived in docs/explanation/derivations/d4.md, section 6."""
     return {(1, 0, 0): 3 * q * (4 * p**6 - 37 * p**4 * q + 123 * p**2 * q**2 - 120 * q**3),
             (3, 0, 0): 3 * p * q * (p**2 - 3 * q) * (4 * p**2 - 25 * q),
