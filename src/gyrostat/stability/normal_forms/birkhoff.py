@@ -95,7 +95,8 @@ def _mode(A: Rows, square: Rows, cube: Rows, p: Any, value: Any) -> Mode:
 def normalised(parts: Sequence[Part], found: Modes, kept: Collection[int] = ()) -> list[Part]:
     """The energy in z and w without the terms that can be removed; of the last degree what stays.
 
-    Each step is exp(ad W) where {h2, W} takes away the terms of one degree but for what has no rate.
+    Each step is exp(ad W) where {h2, W} takes away the terms of one degree but for what has no rate: see
+    docs/explanation/derivations/d4.md, sections 3 and 9.
 
     Parameters
     ----------

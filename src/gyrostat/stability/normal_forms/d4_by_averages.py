@@ -52,7 +52,7 @@ def averages(parts: Sequence[Part]) -> Averages:
     References
     ----------
     Lindstedt's series to the second order; Sanders, Verhulst & Murdock, Averaging Methods in Nonlinear
-    Dynamical Systems.
+    Dynamical Systems. Derived in docs/explanation/derivations/d4.md, sections 3 to 6.
 
     Examples
     --------
@@ -85,7 +85,7 @@ def averages(parts: Sequence[Part]) -> Averages:
 
 
 def _weights(p: Any, q: Any) -> dict[tuple[int, int, int], Any]:
-    """c of the sum over the orders of the matrices."""
+    """c_ijk of the sum, derived in docs/explanation/derivations/d4.md, section 6."""
     return {(1, 0, 0): 3 * q * (4 * p**6 - 37 * p**4 * q + 123 * p**2 * q**2 - 120 * q**3),
             (3, 0, 0): 3 * p * q * (p**2 - 3 * q) * (4 * p**2 - 25 * q),
             (1, 0, 2): 6 * p * q * (4 * p**4 - 9 * p**2 * q + 8 * q**2),
