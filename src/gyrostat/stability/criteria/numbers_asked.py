@@ -151,7 +151,7 @@ def _exists(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> str:
 def _on_family(eq: Equilibrium, numbers: Point) -> str:
     """Return what is not proved about the point's place on the family, "" if nothing.
 
-    A point that is proved not to be on it is refused. Checked are |k| = 1 if k1, k2, k3 are given, the
+    A point that is proved not to be on it is refused. Checked are abs(k) = 1 if k1, k2, k3 are given, the
     relations in which no name was eliminated, and the relation of an eliminated name that is given.
     """
     doubt = _unit_vector(eq, numbers) if in_any_direction(eq) else ""
@@ -172,7 +172,7 @@ def _on_family(eq: Equilibrium, numbers: Point) -> str:
 
 
 def _unit_vector(eq: Equilibrium, numbers: Point) -> str:
-    """Return what is not proved about |k| = 1, "" if nothing; refuse another length."""
+    """Return what is not proved about abs(k) = 1, "" if nothing; refuse another length."""
     rational = numbers.rational_at(eq.point[3:])
     if rational is not None and sum(x * x for x in rational) == 1:
         return ""
