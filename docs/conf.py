@@ -1,4 +1,5 @@
 """The site: sphinx-build -W -b html docs build/site, with the extra docs."""
+import re
 import sys
 from pathlib import Path
 from shutil import copytree, ignore_patterns
@@ -48,7 +49,7 @@ html_favicon = "_static/favicon.svg"
 html_static_path = ["_static"]
 html_css_files = ["site.css"]
 html_copy_source = False
-html_sidebars = {"faq": [], "gallery/index": []}       # no pages below these
+html_sidebars = {"install": [], "faq": [], "gallery/index": []}       # no pages below these
 html_theme_options = {
     "header_links_before_dropdown": 6,
     "show_toc_level": 2,
@@ -85,8 +86,15 @@ def page_to_try(app: Sphinx, error: Exception | None) -> None:
                  ignore=ignore_patterns("*.py", "*.mjs", "*.toml", "__pycache__"))
 
 
+def links_to_pages(app: Sphinx, what: str, name: str, value: object, options: object,
+                   lines: list[str]) -> None:
+    """A page that a docstring names by its file is a link on the site."""
+    lines[:] = [re.sub(r"docs/([\w/-]+)\.md", r":doc:`/\1`", line) for line in lines]
+
+
 def setup(app: Sphinx) -> None:
     """What is done before and after the build."""
     pages_from_elsewhere()
+    app.connect("autodoc-process-docstring", links_to_pages)
     app.connect("build-finished", schemas_beside_their_page)
     app.connect("build-finished", page_to_try)

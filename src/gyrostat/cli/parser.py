@@ -90,6 +90,9 @@ def parser() -> argparse.ArgumentParser:
     verify.add_argument("--full", action="store_true",
                         help="print whole formulas, the hypotheses of each statement, and by which route a "
                         "confirmed one was derived and compared")
+    decide.add_argument("--full", action="store_true",
+                        help="print below the table of several equilibria the details of each: exact "
+                        "numbers, frequencies, margins and reasons")
     decide.add_argument("--format", choices=("text", "json"), help="left out: text, of a batch JSON")
     for verb in (report, conditions, verify):
         verb.add_argument("--format", choices=("text", "latex", "json"), default="text")

@@ -4,5 +4,5 @@
 reports. A `report_list` has the derivations and decisions of them, a `condition_list` the conditions, with
 what decides `between_criteria` and the condition of a dual spinner (`energy_sink`); `solve_for` solves them
 for a parameter. `answers` gives the decisions of decide, of one equilibrium or an `answer_list` of all,
-`arcs` those along curves.
+which an `answer_table` shows at a glance, and `arcs` those along curves.
 """

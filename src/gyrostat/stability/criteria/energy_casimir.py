@@ -147,7 +147,7 @@ def augmented_hessian(eq: Equilibrium, functions: Sequence[Expr]) -> ImmutableMa
 
     References
     ----------
-    Holm, Marsden, Ratiu & Weinstein, Phys. Rep. 123 (1985) 1-116.
+    As of `multipliers`; derived in docs/explanation/derivations/conditions.md, sections 5 and 6.
 
     Examples
     --------

@@ -168,7 +168,7 @@ def linearize(eq: Equilibrium) -> Linearization:
 
     References
     ----------
-    Vera & Viguera (2003), §4.1.1 and §5.
+    Vera & Viguera (2003), §4.1.1 and §5; docs/explanation/derivations/conditions.md, sections 4 and 6.
 
     Examples
     --------

@@ -45,7 +45,7 @@ def spectral_criterion(linearization: Linearization) -> Criterion:
 
     References
     ----------
-    Vera & Viguera (2003), §5.
+    Vera & Viguera (2003), §5; derived in docs/explanation/derivations/conditions.md, section 4.
 
     Examples
     --------
@@ -93,6 +93,7 @@ def formal_criterion(variation: SecondVariation) -> Criterion:
     References
     ----------
     Holm, Marsden, Ratiu & Weinstein, Phys. Rep. 123 (1985) 1-116; elimination: the maximum of a quadratic.
+    Derived in docs/explanation/derivations/conditions.md, sections 5 and 7.
 
     Examples
     --------
