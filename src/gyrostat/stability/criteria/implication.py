@@ -1,7 +1,7 @@
 """Reduces conjunctions of polynomial inequalities: drops what follows, and eliminates one multiplier.
 
-X > 0 follows from Y > 0 if X = S + T Y with T > 0 and S ≥ 0; each such identity is kept as a proof. An example
-is worked out in docs/explanation/derivations/conditions.md, section 7.
+X > 0 follows from Y > 0 if X = S + T Y with T > 0 and S ≥ 0; each such identity is kept as a proof. An
+example is worked out in docs/explanation/derivations/conditions.md, section 7.
 """
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field, replace

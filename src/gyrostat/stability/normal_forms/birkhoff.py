@@ -96,8 +96,8 @@ def _mode(A: Rows, square: Rows, cube: Rows, p: Any, value: Any) -> Mode:
 def normalised(parts: Sequence[Part], found: Modes, kept: Collection[int] = ()) -> list[Part]:
     """Return the energy in z and w, in parts of each degree, without the terms that can be removed.
 
-    Each step is exp(ad W), in which {h2, W} takes away the terms of one degree, except those without a rate.
-    Of the last degree only the terms that stay are computed.
+    Each step is exp(ad W), in which {h2, W} takes away the terms of one degree, except those without a rate:
+    docs/explanation/derivations/d4.md, sections 3 and 9. Of the last degree only what stays is computed.
 
     Parameters
     ----------

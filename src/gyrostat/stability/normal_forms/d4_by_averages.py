@@ -55,7 +55,7 @@ def averages(parts: Sequence[Part]) -> Averages:
     References
     ----------
     Lindstedt's series to the second order; Sanders, Verhulst & Murdock, Averaging Methods in Nonlinear
-    Dynamical Systems.
+    Dynamical Systems. Derived in docs/explanation/derivations/d4.md, sections 3 to 6.
 
     Examples
     --------
@@ -91,7 +91,7 @@ def averages(parts: Sequence[Part]) -> Averages:
 
 
 def _weights(p: Any, q: Any) -> dict[tuple[int, int, int], Any]:
-    """Return the c of the sum over the orders of the matrices.
+    """Return the c_ijk of the sum, derived in docs/explanation/derivations/d4.md, section 6.
 
     They come from the covariances and the answers at 2ω1, 2ω2, ω1 ± ω2: multiplied out in powers of A below
     A⁴, added over these frequencies, and written in p = ω1² + ω2² and q = ω1² ω2².

@@ -56,7 +56,8 @@ def energy_on_orbit(inverse: Rows, rotor: Sequence[Any], k: Sequence[Any], momen
 
     References
     ----------
-    Serret and Andoyer's variables about the vertical; Deprit, Am. J. Phys. 35 (1967) 424-428.
+    Serret and Andoyer's variables about the vertical; Deprit, Am. J. Phys. 35 (1967) 424-428. Checked in
+    docs/explanation/derivations/d4.md, section 2.
     """
     order = [(upright + 1) % 3, (upright + 2) % 3, upright]
     inverse = [[inverse[i][j] for j in order] for i in order]

@@ -39,7 +39,8 @@ def between_cuts(decision: Decision, twists: bool | None) -> Decision:
 def resonance_margin(p: Any, q: Any, first: int, second: int) -> Any:
     """Return (m n)² p² − (m² + n²)² q, which is 0 if the frequencies are as m to n [1/T⁴].
 
-    With ω1/ω2 = m/n, p = ω1² + ω2² and q = ω1² ω2² have p²/q = (m² + n²)²/(m n)².
+    With ω1/ω2 = m/n, p = ω1² + ω2² and q = ω1² ω2² have p²/q = (m² + n²)²/(m n)²: see
+    docs/explanation/derivations/d4.md, section 1.
     """
     return (first * second) ** 2 * p**2 - (first**2 + second**2) ** 2 * q
 
@@ -71,7 +72,8 @@ def _decided(motion: LocalMotion) -> Decision:
     References
     ----------
     Arnold, Sov. Math. Dokl. 2 (1961) 247-249; Moser, Mem. Am. Math. Soc. 81 (1968); Meyer, Hall & Offin,
-    Introduction to Hamiltonian Dynamical Systems and the N-Body Problem, chapter 13.
+    Introduction to Hamiltonian Dynamical Systems and the N-Body Problem, chapter 13. The order of the tests:
+    docs/explanation/derivations/d4.md, sections 1 and 9.
     """
     for pair in resonances_up_to(4):
         holds = _resonant(motion, pair)
