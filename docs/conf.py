@@ -48,6 +48,7 @@ html_title = f"gyrostat {release}"
 html_favicon = "_static/favicon.svg"
 html_static_path = ["_static"]
 html_css_files = ["site.css"]
+html_js_files = [("site.js", {"defer": "defer"})]
 html_copy_source = False
 html_sidebars = {"install": [], "faq": [], "gallery/index": []}       # no pages below these
 html_theme_options = {
