@@ -99,7 +99,7 @@ def test_the_house_of_design_is_the_one_that_stands():
 def test_the_flows_of_design_go_through_modules_that_exist():
     """A name without a path stands in the folder that is named before it."""
     folder = None
-    for name in re.findall(r"`(\w+(?:/\w+)*)`", design("## Three flows", "\n## ")):
+    for name in re.findall(r"`(\w+(?:/\w+)*)`", design("## Four flows", "\n## ")):
         place = name if "/" in name else f"{folder}/{name}"
         assert is_place(place), place
         folder = place if (SRC / place).is_dir() else place.rpartition("/")[0]

@@ -10,7 +10,7 @@ from ..blocks import Word
 
 def number(value: Expr) -> Any:
     """An end as it reads best: the root of a polynomial as a decimal, a fraction factored."""
-    if value.has(CRootOf, Enclosed, Float):
+    if has_no_closed_form(value):
         near = value if value.is_Float else Float(accurate(value, 110).mid().str(30, radius=False), 30)
         digits = str(near.n(12))
         return Word(f"{digits.replace('-', '−')}…", rf"{digits}\dots")
@@ -21,3 +21,8 @@ def tidy(value: Expr) -> Expr:
     """A fraction of polynomials factored, anything else as it is."""
     rational = all(p.exp.is_Integer for p in value.atoms(Pow)) and not value.atoms(Abs)
     return readable(value) if value.free_symbols and rational else value
+
+
+def has_no_closed_form(value: Expr) -> bool:
+    """Whether it is the root of a polynomial, or known to some digits only."""
+    return bool(value.has(CRootOf, Enclosed, Float))
