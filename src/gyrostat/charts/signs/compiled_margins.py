@@ -65,7 +65,7 @@ class CompiledMargin:
         return sum(self._spent)
 
     def __call__(self, *, out: Array | None = None, threads: int = 1, **arrays: Any) -> Any:
-        """Return the values of the margin, or where the criterion holds, in the common shape of the arrays.
+        """Return the values of the margin, or where the criterion holds, in the common shape of arrays.
 
         Parameters
         ----------

@@ -164,7 +164,7 @@ class Decided:
         return verdicts, rungs
 
     def _exceptional(self, block: Slices) -> Array:
-        """Return where the form may be degenerate, or damping not reach all: all over, if names are missing."""
+        """Return where the form may be degenerate, or damping not reach all: all over if names are open."""
         standard = self.report.secular.standard
         if {*standard.counted_by} - {s.name for s in self.grid.values}:
             return np.ones((1, 1), bool)
