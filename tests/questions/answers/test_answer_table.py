@@ -32,7 +32,7 @@ def test_full_adds_the_details_by_number(capsys):
     _, short, _ = decide(capsys, *TOP)
     _, out, _ = decide(capsys, *TOP, "--full")
     assert out.startswith(short[:short.index("  Details")]) and "Details: --full" not in out
-    assert "\n2  E3\n══" in out and out.count("Verdict: ") == 3 and "k₃ = 5/12 ≈ 0.4166666667\n" in out
+    assert "\n2  E3\n══" in out and out.count("Verdict: ") == 3 and "k₃ = 5/12\n" in out
 
 
 def test_one_that_is_named_has_no_table(capsys):
@@ -61,7 +61,7 @@ def test_columns_have_units_if_the_numbers_have(capsys):
     units = out.splitlines()[3]
     assert units.count("kg m² s⁻¹") == 3 and "rad/s" in units
     _, full, _ = decide(capsys, *BODY, "--full")
-    assert "π₃ = 19/10 kg m² s⁻¹\n" in full and "frequency₁ = √111/10 ≈ 1.053565375 rad/s\n" in full
-    assert "growth_rate = √33/10 ≈ 0.5744562647 1/s\n" in full
+    assert "π₃ = 19/10 kg m² s⁻¹\n" in full and "frequency₁ = √111/10 ≈ 1.054 rad/s\n" in full
+    assert "growth_rate = √33/10 ≈ 0.5745 1/s\n" in full
     _, bare, _ = decide(capsys, *(x.replace(" kg m^2", "").replace(" N m s", "") for x in BODY))
     assert "rad/s" not in bare and rows(bare) == rows(out)

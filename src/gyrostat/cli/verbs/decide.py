@@ -3,9 +3,8 @@ import argparse
 
 from ...notation import symbol
 from ...printing.blocks import Block, Display, Heading, Word, prose, sentence
-from ...printing.formats.exact_numbers import valued
 from ...printing.formats.json_data import form_data, json_text, window_data
-from ...printing.formats.text import text
+from ...printing.formats.text import number_text, text
 from ...printing.results.decision import damped_block, decision_blocks, note_blocks, reason_block
 from ...printing.results.normal_form import form_blocks, window_blocks
 from ...questions.answers.answer_list import answers_data, note_once
@@ -69,7 +68,7 @@ def _blocks(answer: Answer, title: str, units: bool) -> list[Block]:
     """The details of one equilibrium: its place and its rates, the verdicts and their reasons."""
     blocks: list[Block] = [Heading(title)]
     for name, number in [*answer.place.items(), *answer.rates.items()]:
-        value = "any" if number is None else valued(number)
+        value = "any" if number is None else number_text(number)
         unit = answer.unit_of(name) if units else ""
         said = f"{value} {unit}".rstrip()
         blocks.append(Display(symbol(name), Word(said, said)))

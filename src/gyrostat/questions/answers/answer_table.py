@@ -6,9 +6,9 @@ from textwrap import wrap
 from sympy import Expr
 
 from ...algebra.text.grammar import parse
-from ...printing.formats.exact_numbers import in_a_cell
 from ...printing.formats.text_tables import Column, table_text
 from ...printing.formats.unicode import unicode
+from ...printing.numbers import in_a_cell
 from ...stability.decision import Decision, Verdict
 from .answers import Answer
 
