@@ -23,9 +23,10 @@ from ..notation import symbol
 from ..printing.letters import letters_of
 from ..stability.decision import Verdict
 from .beside import Marks
+from .captions import headed
 from .globe import dots_of
-from .headings import heading, of_scene, of_sphere
-from .legends import legend, named
+from .headings import of_scene, of_sphere
+from .legends import named
 from .looks import DARK, axes_of, axis, label, line, marker, with_dimension
 
 CHANGES = {"fold on a level": "o", precessions_leave(E1): "s", precessions_leave(E2): "p",
@@ -122,7 +123,9 @@ def draw_bifurcation_diagram(scene: System, name: str, ends: tuple[Any, Any], va
         said = of_scene(scene, values)
     if scene.kind is Kind.REVOLUTION:
         _name(found, high, ax)
-    legend(ax, handles, 3, heading(ax, *said), marks)
+    what = "permanent rotations of a free gyrostat" if free else "relative equilibria"
+    headed(ax, f"Bifurcation diagram of the {what} against {label(name)}", said, handles, 3, marks,
+           "Stability changes at filled marks, and at open ones branches meet" if marks else "")
     return ax
 
 

@@ -21,9 +21,10 @@ from ..mechanics.scenes.system import System
 from ..notation import symbol
 from ..printing.letters import letters_of
 from ..stability.decision import Verdict
+from .captions import headed
 from .globe import dots_of
-from .headings import heading, of_scene
-from .legends import legend, named
+from .headings import of_scene
+from .legends import named
 from .looks import BLUE, DARK, GREY, axes_of, axis, label, marker, meaning
 from .scene_numbers import numbers_of
 
@@ -193,7 +194,8 @@ def draw_effective_potential(scene: System, values: Mapping[str, Any], energy: A
     letters = letters_of(scene)
     ax.set(xlabel=label("theta"), ylabel=axis(letters.of("V"), (1, 2, 0)))
     shown = {} if energy is None else {letters.of("h"): energy}
-    legend(ax, handles, 2, heading(ax, *of_scene(scene, {**values, **shown})))
+    headed(ax, "Effective potential of a body of revolution", of_scene(scene, {**values, **shown}), handles,
+           2)
     return ax
 
 

@@ -11,9 +11,10 @@ from ..notation import dimension_of
 from ..parameters.spectra import spectrum
 from ..typesetting import typeset
 from .beside import written_at
-from .headings import heading, number, of_scene
-from .legends import legend, named, room
-from .looks import DARK, GREY, axes_of, axis, with_dimension
+from .captions import headed
+from .headings import number, of_scene
+from .legends import named, room
+from .looks import DARK, GREY, axes_of, axis, label, with_dimension
 
 SHAPES = {"Hamiltonian Hopf": "x", "zero eigenvalue": "+", "real pairs meet": "1"}
 
@@ -99,7 +100,9 @@ def draw_eigenvalues(eq: Equilibrium, name: str, samples: Sequence[float], value
     for part, put in (("Re", ax.set_xlabel), ("Im", ax.set_ylabel)):
         put(with_dimension(rf"$\mathrm{{{part}}}\,{typeset('lamda')}$", dimension_of("lamda")))
     ax.figure.colorbar(lines, ax=ax, label=axis(name))
-    legend(ax, handles, 1, heading(ax, [eq.label, *above], shown))
+    headed(ax, f"Eigenvalues of the linearised field along {label(name)}", ([eq.label, *above], shown),
+           handles, 1, after="Arrows point the way the parameter goes" + (
+               ", and its values stand beside the collisions" if handles else ""))
     room(ax)
     written_at(ax, values_at, 10)
     return ax

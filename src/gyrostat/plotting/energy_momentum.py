@@ -18,9 +18,10 @@ from ..printing.letters import letters_of
 from ..stability.decision import Verdict
 from ..stability.notion import Notion
 from .beside import Marks, written_at
+from .captions import headed
 from .globe import dots_of
-from .headings import heading, of_scene
-from .legends import legend, named, room
+from .headings import of_scene
+from .legends import named, room
 from .looks import DARK, axes_of, axis, line, marker
 from .scene_numbers import numbers_of
 
@@ -140,7 +141,9 @@ def draw_energy_momentum(scene: System, values: Mapping[str, Any],
     verdicts = [named({**(marker(x) if x in points else {}), **(line(x) | kwargs if x in curves else {})},
                       x.name.lower() + (modulo if x is Verdict.STABLE else ""))
                 for x in Verdict if x in curves | points]
-    legend(ax, [*verdicts, *_areas(int(count.max()))], 2, heading(ax, *of_scene(scene, values)), marks)
+    headed(ax, "Energy-momentum diagram of a body of revolution", of_scene(scene, values),
+           [*verdicts, *_areas(int(count.max()))], 2, marks,
+           "The curves are regular precessions, and the points are E1 and E2")
     room(ax)
     written_at(ax, [("; ".join(several), place) for place, several in names.items()], 6.5)
     return ax

@@ -10,9 +10,9 @@ from ..equilibria.curves.staude import staude_cone
 from ..mechanics.scenes.system import System
 from ..stability.decision import Verdict
 from .along_arcs import along, changes_of, directions, floats, moves
+from .captions import BEHIND, headed
 from .globe import curves_of, dots_of, stage
-from .headings import heading, of_scene
-from .legends import legend
+from .headings import of_scene
 from .looks import DARK, GREY, axes_of, label, line
 
 STEP = 0.02                                            # radians between points
@@ -104,7 +104,8 @@ def draw_staude_cone(scene: System, values: Mapping[str, Any] | None = None, ax:
     still = [floats(arc.ends[0].k) for arc in arcs if not moves(arc)]
     for points, style, name in ((folds, FOLD, "fold"), (rest, REST, "at rest"), (still, ANY, "every rate")):
         handles += dots_of(ax, points, style, name, eye)
-    legend(ax, handles, title=heading(ax, *of_scene(scene, values or {})))
+    headed(ax, "Permanent rotations on the sphere of directions", of_scene(scene, values or {}), handles,
+           after=BEHIND)
     return ax
 
 

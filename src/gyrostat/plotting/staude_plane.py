@@ -16,9 +16,9 @@ from ..mechanics.scenes.system import System
 from ..stability.decision import Verdict
 from .along_arcs import along, changes_of, floats, halved, placed
 from .beside import Marks
+from .captions import headed
 from .globe import curves_of, dots_of
-from .headings import heading, number, of_scene
-from .legends import legend
+from .headings import number, of_scene
 from .looks import GREY, axes_of, axis, line, with_dimension
 from .staude_cone import FILLS, FOLD, REST, change
 
@@ -104,7 +104,9 @@ def draw_staude_plane(scene: System, values: Mapping[str, Any] | None = None,
     upwards = rf"$\sigma + {number(plane.exact, str(plane.exact))}\,\omega^2$"
     ax.set(xlim=(low, high), ylim=(bottom, top), xlabel=axis("omega"),
            ylabel=with_dimension(upwards, (1, 2, 0)))
-    legend(ax, handles, title=heading(ax, *of_scene(scene, values or {})), marks=marks)
+    headed(ax, r"Permanent rotations in the plane of $\omega$ and $\sigma$", of_scene(scene, values or {}),
+           handles, marks=marks,
+           after=r"On grey curves $\sigma = -\omega^2 I_i$")
     return ax
 
 
