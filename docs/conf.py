@@ -1,4 +1,5 @@
 """The site: sphinx-build -W -b html docs build/site, with the extra docs."""
+import re
 import sys
 from pathlib import Path
 from shutil import copytree, ignore_patterns
@@ -41,14 +42,16 @@ nb_render_markdown_format = "myst"                     # sentences that code wri
 myst_enable_extensions = ["amsmath", "colon_fence", "dollarmath", "html_image"]
 myst_dmath_double_inline = True                        # $$ within a paragraph, as notebooks have it
 myst_heading_anchors = 4
+mathjax3_config = {"chtml": {"scale": 0.9}}           # else they look larger than the text
 
 html_theme = "pydata_sphinx_theme"
 html_title = f"gyrostat {release}"
 html_favicon = "_static/favicon.svg"
 html_static_path = ["_static"]
 html_css_files = ["site.css"]
+html_js_files = [("site.js", {"defer": "defer"})]
 html_copy_source = False
-html_sidebars = {"faq": [], "gallery/index": []}       # no pages below these
+html_sidebars = {"install": [], "faq": [], "gallery/index": []}       # no pages below these
 html_theme_options = {
     "header_links_before_dropdown": 6,
     "show_toc_level": 2,
@@ -85,8 +88,15 @@ def page_to_try(app: Sphinx, error: Exception | None) -> None:
                  ignore=ignore_patterns("*.py", "*.mjs", "*.toml", "__pycache__"))
 
 
+def links_to_pages(app: Sphinx, what: str, name: str, value: object, options: object,
+                   lines: list[str]) -> None:
+    """A page that a docstring names by its file is a link on the site."""
+    lines[:] = [re.sub(r"docs/([\w/-]+)\.md", r":doc:`/\1`", line) for line in lines]
+
+
 def setup(app: Sphinx) -> None:
     """What is done before and after the build."""
     pages_from_elsewhere()
+    app.connect("autodoc-process-docstring", links_to_pages)
     app.connect("build-finished", schemas_beside_their_page)
     app.connect("build-finished", page_to_try)

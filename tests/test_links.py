@@ -48,6 +48,14 @@ def test_extras_are_installed_in_one_way(page):
     assert all(install.startswith('"gyrostat[') for install in installs), installs
 
 
+def test_the_library_is_set_up_by_one_command():
+    """Home page and install page have that of README."""
+    readme = (ROOT / "README.md").read_text(encoding="utf-8")
+    command, = re.findall(r"^python3 -m venv .* report$", readme, re.MULTILINE)
+    for page in ("index.md", "install.md"):
+        assert f"\n{command}\n" in (ROOT / "docs" / page).read_text(encoding="utf-8"), page
+
+
 def is_place(name):
     """Whether it is a folder of the library, or a module in one."""
     return (SRC / name).exists() or (SRC / f"{name}.py").exists()
@@ -62,6 +70,17 @@ def test_files_that_are_named_exist(page):
             and not re.search("<|NAME", name)] == []
     ours = [name for name in re.findall(r"`(\w+(?:/\w+)+)`", text) if name.split("/")[0] in PACKAGES]
     assert [name for name in ours if not is_place(name)] == []
+
+
+@pytest.mark.parametrize("package", sorted(PACKAGES))
+def test_pages_that_docstrings_name_exist(package):
+    """Each with its sections, which are numbered."""
+    for path in SRC.joinpath(package).rglob("*.py"):
+        text = re.sub(r"\s+", " ", path.read_text(encoding="utf-8"))
+        for name, sections in re.findall(r"(docs/[\w/-]+\.md)(?:, sections? ([\d, and]*\d))?", text):
+            page = (ROOT / name).read_text(encoding="utf-8")
+            for number in re.findall(r"\d+", sections):
+                assert f"\n## {number}. " in page, (path.name, name, number)
 
 
 def design(start, end):
@@ -80,7 +99,7 @@ def test_the_house_of_design_is_the_one_that_stands():
 def test_the_flows_of_design_go_through_modules_that_exist():
     """A name without a path stands in the folder that is named before it."""
     folder = None
-    for name in re.findall(r"`(\w+(?:/\w+)*)`", design("## Three flows", "\n## ")):
+    for name in re.findall(r"`(\w+(?:/\w+)*)`", design("## Four flows", "\n## ")):
         place = name if "/" in name else f"{folder}/{name}"
         assert is_place(place), place
         folder = place if (SRC / place).is_dir() else place.rpartition("/")[0]

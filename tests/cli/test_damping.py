@@ -23,10 +23,10 @@ def test_the_line_an_engineer_looks_for(capsys, verb, spin, line):
 
 def test_what_is_not_decided_has_its_reason(capsys):
     """I3 is no name of the verdict of E1, but of that under damping; a precession is no equilibrium then."""
-    _, out, _ = decide(capsys, *TOP[:4], "--set", "I1=1", "l=0", "m0=1", "pi3_0=3")
+    _, out, _ = decide(capsys, *TOP[:4], "--set", "I1=1", "l=0", "m0=1", "pi3_0=3", "--full")
     assert "Stable; undecided under internal damping: give I3 to decide.\n" in out
     _, out, _ = decide(capsys, "--potential", "m0*k3", "--set", "I1=2", "I3=1", "l=1", "m0=1/2", "pi3_0=1",
-                       "k3=1/3")
+                       "k3=1/3", "--full")
     assert "Stable, and no equilibrium under internal damping: ω turns in the body.\n" in out
     _, out, _ = decide(capsys, "--potential", "b*k3^2", "--equilibrium", "E1", "--set", "I1=1", "I3=2",
                        "l=-3", "b=0", "omega3_0=1")
@@ -65,8 +65,8 @@ def test_every_rotation_of_a_momentum(capsys):
              for x in json.loads(out)["equilibria"]]
     assert found[::2] == [("0", "-6", ["2"], None, 0), ("0", "0", [], "sqrt(3)", 1),
                           ("-6", "0", ["2*sqrt(3)"], None, 2)]
-    _, out, _ = decide(capsys, *BOX, "--momentum", "6")
-    assert "    frequency₁ = 2 √3\n" in out and "Δ" not in out
+    _, out, _ = decide(capsys, *BOX, "--momentum", "6", "--full")
+    assert "    frequency₁ = 2 √3 ≈ 3.464\n" in out and "Δ" not in out
     status, _, err = decide(capsys, *TOP, "omega3_0=2", "--momentum", "6")
     assert status == 2 and "M" in err
 

@@ -45,7 +45,7 @@ def test_a_family_with_one_parameter_of_u(capsys):
     field = "--equilibrium", "permanent-rotation", "--potential", "m0*k3", "--inertia", "I1,I2,I3"
     numbers = "I1=3", "I2=4", "I3=5", "k1=3/5", "k2=0", "k3=4/5", "omega=1", "l=0"
     status, out, _ = run(capsys, *field, "--set", *numbers, "sigma=-3", verb="decide")
-    assert status == 0 and "    s = -378/2675\n" in out
+    assert status == 0 and "    s = −378/2675\n" in out
     status, _, err = run(capsys, *field, "--set", *numbers, "sigma=-2", verb="decide")
     assert status == 2 and "the point is not on permanent rotation" in err
 

@@ -54,6 +54,8 @@ def parser() -> argparse.ArgumentParser:
                             "all other names")
     conditions.add_argument("--windows", action="store_true", help="add what decides between the two "
                             "conditions of an asymmetric body in a field: resonances and D4, as formulas")
+    conditions.add_argument("--full", action="store_true", help="print every case of --solve-for, however "
+                            "long; default: at most 25 lines")
     for option, body in (("--platform-damping", "platform"), ("--rotor-damping", "rotor")):
         conditions.add_argument(option, metavar="C", help=f"of a weak damper in the {body} of a --scene with "
                                 "one rotor, a number or a name: the energy-sink condition is added")
@@ -90,6 +92,9 @@ def parser() -> argparse.ArgumentParser:
     verify.add_argument("--full", action="store_true",
                         help="print whole formulas, the hypotheses of each statement, and by which route a "
                         "confirmed one was derived and compared")
+    decide.add_argument("--full", action="store_true",
+                        help="print below the table of several equilibria the details of each: exact "
+                        "numbers, frequencies, margins and reasons")
     decide.add_argument("--format", choices=("text", "json"), help="left out: text, of a batch JSON")
     for verb in (report, conditions, verify):
         verb.add_argument("--format", choices=("text", "latex", "json"), default="text")

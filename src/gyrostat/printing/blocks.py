@@ -13,6 +13,13 @@ class Word:
 
 
 @dataclass(frozen=True)
+class Number:
+    """What a number is written as, its exact form and its decimal for example, one after the other."""
+
+    parts: tuple[Any, ...]
+
+
+@dataclass(frozen=True)
 class Heading:
     """The title of a part."""
 

@@ -1,4 +1,4 @@
-"""What decides between the two criteria: at numbers, and at the ends of what is solved for."""
+"""The interfaces of what decides between the two criteria: at numbers, and at the ends of a set of values."""
 from collections.abc import Iterable, Mapping
 from typing import Protocol, runtime_checkable
 
@@ -9,22 +9,23 @@ from .decision import Decision
 
 @runtime_checkable
 class Ends(Protocol):
-    """What says which ends of a set of values belong to it: Boundary, MomentumSphere."""
+    """The interface of what says which ends of a set of values belong to it: Boundary, MomentumSphere."""
 
     def ladder(self, limit: int | None = None) -> Iterable[Expr]:
-        """Where the margin vanishes: the end belongs to the set where the first that is not 0 is positive."""
+        """Yield margins in turn: the end belongs to the set if the first that is not 0 is positive."""
 
 
 class Between(Ends, Protocol):
-    """What decides an equilibrium where its criteria do not, at numbers, and at the ends of what is solved
-    for: Boundary, MomentumSphere.
+    """The interface of what decides an equilibrium if its criteria do not: Boundary, MomentumSphere.
+
+    It decides at numbers, and at the ends of a set of values that is solved for.
     """
 
     def decide(self, numbers: Mapping[Symbol, Expr], margins: dict[Expr, Expr]) -> Decision:
-        """The decision at exact numbers.
+        """Return the decision at exact numbers.
 
-        The margins used are entered.
+        The margins that were used are entered into the second argument.
         """
 
     def expressions(self) -> Iterable[Expr]:
-        """What may be asked for its sign; the first few of them, where they do not end."""
+        """Yield what may be asked for its sign; the first few of them, if they do not end."""

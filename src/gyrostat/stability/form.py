@@ -1,4 +1,4 @@
-"""Form: the second variation at a relative equilibrium and its spectrum, for every kind of scene."""
+"""The second variation and the spectrum of a relative equilibrium in numbers, for every kind of scene."""
 from collections.abc import Callable, Sequence
 from typing import Any, ClassVar, NamedTuple
 
@@ -18,12 +18,12 @@ PRECISION = 128                                            # bits that decide
 
 
 class Invariants(NamedTuple):
-    """What decides, in balls or exact.
+    """The invariants that decide a relative equilibrium, in balls or exact.
 
     Parameters
     ----------
     form : sequence
-        e1, …, em: the elementary symmetric functions of the eigenvalues of the second variation
+        e1, …, em, the elementary symmetric functions of the eigenvalues of the second variation
     spectrum : sequence
         the coefficients of the characteristic polynomial in λ², that of the highest power, positive, first
     """
@@ -35,27 +35,28 @@ class Invariants(NamedTuple):
 class Form(Stored):
     """The second variation of the energy at a relative equilibrium, and the spectrum of the motion near it.
 
-    A finder says for its kind of scene where the equilibrium lies, what the invariants are, in balls and
+    A finder for one kind of scene says where the equilibrium lies, what the invariants are, in balls and
     exactly, and the words of the reasons; signs, index, frequencies and growth rate follow here.
 
-    The index is the number of sign changes in 1, e1, …, em, which counts the negative eigenvalues of a
-    symmetric matrix that is not singular. Under damping that reaches every motion as many modes grow.
+    The index is the number of sign changes in 1, e1, …, em. By Descartes' rule for det(t + Q) it counts the
+    negative eigenvalues of a symmetric matrix Q that is not singular. If internal damping reaches every
+    motion, as many modes grow (Kelvin, Tait, Chetaev).
 
     References
     ----------
     Chetaev, The Stability of Motion (1961), §§26-30; Descartes' rule, exact where all roots are real.
     """
 
-    LEAST: ClassVar[Decision]                              # it is definite
-    ODD: ClassVar[Decision]                                # the index is odd
-    LEAVES: ClassVar[Decision]                             # it is even, and the spectrum grows
-    greatest: ClassVar[bool] = False                       # whether a maximum proves as a minimum does
+    LEAST: ClassVar[Decision]                              # if the second variation is definite
+    ODD: ClassVar[Decision]                                # if the index is odd: a real eigenvalue grows
+    LEAVES: ClassVar[Decision]                             # if it is even, and an eigenvalue grows
+    greatest: ClassVar[bool] = False                       # whether a maximum proves stability, too
     label: str
     scene: System
 
     @property
     def locus(self) -> str:
-        """The set of equilibria of which it is a point, in words; "" of a point alone."""
+        """The set of equilibria to which it belongs, in words; "" if it is a single point."""
         if self.curve is not None:
             return f"a curve, {self.curve} = 0"
         if self.circle is None or not any(self.circle):
@@ -66,12 +67,12 @@ class Form(Stored):
 
     @property
     def circle(self) -> tuple[Expr, ...] | None:
-        """Along the axis about which the point may be turned, (0, 0, 0) for any; None of no circle."""
+        """A vector along the axis about which it may be turned, (0, 0, 0) for any axis; else None."""
         return None
 
     @property
     def curve(self) -> Expr | None:
-        """Of a set that is no circle a polynomial that vanishes on it."""
+        """A polynomial that vanishes on its set of equilibria, if that is no circle; else None."""
         return None
 
     @property
@@ -81,17 +82,19 @@ class Form(Stored):
 
     @property
     def heading(self) -> str:
-        """What a document calls it."""
+        """What a document calls it: the label, with the set of equilibria if there is one."""
         return f"{self.label}s on {self.locus}" if self.locus else self.label
 
     @property
     def at(self) -> Expr:
-        """What k3 is in conditions of it: a number at a pole."""
+        """The value of k3 in its conditions: a number at a pole, else the symbol."""
         return symbol("k3")
 
     @property
     def described(self) -> tuple[tuple[str | Expr, Any], ...]:
-        """The same as place for a sentence: letters with vectors, names with numbers, None for every number.
+        """The entries of place for a sentence: letters with vectors, names with numbers.
+
+        None stands for every number.
         """
         raise NotImplementedError
 
@@ -102,12 +105,12 @@ class Form(Stored):
 
     @property
     def rational(self) -> bool:
-        """Whether the spectrum is solved exactly."""
+        """Whether frequencies and growth rate are solved exactly."""
         return False
 
     @property
     def place(self) -> dict[str, Expr | None]:
-        """What tells it from others of its scene, by name: what describes it, vectors by components."""
+        """What tells it from others of its scene, by name; vectors by their components."""
         found: dict[str, Expr | None] = {}
         for name, value in self.described:
             found |= ({f"{name}{n}": x for n, x in enumerate(value, 1)} if isinstance(name, str)
@@ -116,7 +119,7 @@ class Form(Stored):
 
     @property
     def point(self) -> tuple[Expr, ...]:
-        """In the coordinates of the scene."""
+        """The point in the coordinates of the scene."""
         raise NotImplementedError
 
     @property
@@ -126,7 +129,7 @@ class Form(Stored):
 
     @property
     def rates(self) -> dict[str, Expr]:
-        """Of the rotation, by name [1/T]."""
+        """The rates of the rotation, by name [1/T]."""
         raise NotImplementedError
 
     @property
@@ -136,44 +139,48 @@ class Form(Stored):
 
     @cached_property
     def equilibrium(self) -> Equilibrium:
-        """As a claimed point."""
+        """The equilibrium as a point whose equations were checked."""
         return equilibrium(self.scene, self.point, label=self.label)
 
     def known(self) -> Decision | None:
-        """The decision where the invariants are not asked, as on a set of equilibria; else None."""
+        """Return the decision if it is known without the invariants, as on a set of equilibria; else None."""
         return None
 
     def known_damped(self) -> Decision | None:
-        """The same under internal damping."""
+        """Return the decision under internal damping if it is known without the invariants; else None."""
         return None
 
     def known_point(self) -> Decision | None:
-        """The same of the point, where the decision is modulo a flow."""
+        """Return what is known about the point, if the decision is modulo a flow; else None."""
         return None
 
     def held(self) -> Decision | None:
-        """The decision where the index is even, not 0, and the spectrum does not grow; None: as a report."""
+        """Return the decision if the index is even, not 0, and no eigenvalue grows.
+
+        None if the report is to decide.
+        """
         return None
 
     def degenerate(self) -> Decision | None:
-        """The decision where a sign is 0, or not proved; None: as a report."""
+        """Return the decision if a sign is 0, or not proved; None if the report is to decide."""
         return None
 
     def invariants(self, precision: int | None) -> Invariants:
-        """In balls of a precision; None: exact."""
+        """Return the invariants in balls of a precision, or exactly if it is None."""
         raise NotImplementedError
 
     @cached_property
     def signs(self) -> Signs:
-        """Of e1, …, em; None is not proved."""
+        """The signs of e1, …, em; None for one that is not proved."""
         return self._proved(lambda found: found.form)
 
     @cached_property
     def spectral_signs(self) -> Signs:
-        """Of what has to be positive for every λ² to be negative, but for the sign of em."""
+        """The signs of what has to be positive, beside em, for every λ² to be negative."""
         return self._proved(lambda found: conditions(found.spectrum))
 
     def _proved(self, values: Callable[[Invariants], Sequence[Any]]) -> Signs:
+        # balls decide nearly always; on a set of equilibria a sign is 0, which no precision can prove
         for precision in doubled(PRECISION):
             with own_precision(precision):
                 found = tuple(1 if x > 0 else -1 if x < 0 else None
@@ -185,27 +192,28 @@ class Form(Stored):
 
     @property
     def index(self) -> int | None:
-        """The number of negative squares; None where the form is degenerate, or a sign is not proved."""
+        """The number of negative squares; None if the form is degenerate, or a sign is not proved."""
         if None in self.signs or not self.signs[-1]:
             return None
         return sign_changes(self.signs)
 
     @property
     def frequencies(self) -> tuple[Expr, ...]:
-        """Of the small motions on the coadjoint orbit, in increasing order [1/T].
+        """The frequencies of the small motions on the coadjoint orbit, in increasing order [1/T].
 
-        Exact where the spectrum has rational coefficients and at most two roots; else to 30 digits.
+        They are exact if the spectrum has rational coefficients and at most two roots, else they have 30
+        digits.
         """
         return self._rates[0]
 
     @property
     def growth_rate(self) -> Expr | None:
-        """The largest real part of an eigenvalue [1/T]; None where there is none that is positive."""
+        """The largest real part of an eigenvalue [1/T]; None if none is positive."""
         return self._rates[1]
 
     @cached_property
     def _rates(self) -> tuple[tuple[Expr, ...], Expr | None]:
-        """Of the roots λ² of the spectrum, without one that is 0."""
+        """Frequencies and growth rate, by the roots λ² of the spectrum without one that is 0."""
         whole = self.signs[-1]
         if self.rational:
             top, *spectrum = self.invariants(None).spectrum

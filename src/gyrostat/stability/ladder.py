@@ -1,4 +1,4 @@
-"""The ladder: the criteria and theorems that decide an equilibrium at exact numbers, in their order."""
+"""Decides an equilibrium at exact numbers by a ladder of criteria and theorems: the first that applies."""
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Any
@@ -19,26 +19,27 @@ from .standing import THEOREMS, Standing
 
 GROWS = "an eigenvalue has a positive real part"
 NORMAL_FORMS = "stability.normal_forms"
-DEGREE = 4                                                 # of U, where only its derivatives are given
+DEGREE = 4                                                 # D4 needs the derivatives of U up to this one
 
 
 @dataclass(frozen=True, repr=False)
 class Ladder(Derived):
-    """What decides an equilibrium: the first of RUNGS that applies.
+    """The parts of a report, with the ladder that decides: the first of RUNGS that applies.
 
     A scene that has more symmetry at the numbers is decided as such, and so is one that another scene
-    decides. What the other scene divides out is carried over where it is a symmetry of this one; where it is
-    none, the other scene is asked about the point itself.
+    decides. If the other scene divides out the flow of a symmetry of this one, so does the decision; if that
+    flow is no symmetry of this one, the other scene is asked about the point itself.
     """
 
     def decide(self, numbers: Point, margins: dict[Expr, Expr]) -> Decision:
-        """The decision at exact numbers that are checked; verdict checks them.
+        """Return the decision at exact numbers that are checked; verdict checks them.
 
         Parameters
         ----------
         numbers : Point
+            exact
         margins : dict of Expr to Expr
-            those that are used are entered, with their values
+            the margins that are used are entered, with their values
 
         Returns
         -------
@@ -48,11 +49,12 @@ class Ladder(Derived):
         return next(step for step in RUNGS if step.applies(standing)).decides(standing)
 
     def decide_point(self, numbers: Point, margins: dict[Expr, Expr]) -> Decision:
-        """The decision on the point itself, not modulo the flow of an integral.
+        """Return the decision about the point itself, not modulo the flow of an integral.
 
         Parameters
         ----------
         numbers : Point
+            exact
         margins : dict of Expr to Expr
             as in decide
 
@@ -75,15 +77,15 @@ class Ladder(Derived):
 
 @dataclass(frozen=True)
 class Step:
-    """A rung of the ladder.
+    """A rung of the ladder: when it applies, and how it decides.
 
     Parameters
     ----------
     name : str
     source : str
-        of the theorem
+        where the criterion or theorem is published, or that it is derived
     applies, decides : callable
-        of a Standing: whether it is decided here, and the decision; what a theorem needs is loaded then
+        take a Standing, and say whether it is decided here, and how; a theorem's module is loaded then
     """
 
     name: str
@@ -93,7 +95,7 @@ class Step:
 
 
 def _definite(s: Standing) -> Decision:
-    """With the Casimirs, or with integrals that are given."""
+    """Return the decision that the second variation is definite, with Casimirs or given integrals."""
     derived = s.derived
     if not s.eq.system.given_integrals or holds(derived.casimirs_only, s.numbers, {}):
         return derived.stable
@@ -101,7 +103,7 @@ def _definite(s: Standing) -> Decision:
 
 
 def _by_another(s: Standing) -> Decision:
-    """What another scene decides, in the axes of this one."""
+    """Return what another scene decides, in the axes of this one."""
     known = s.other
     assert known is not None
     standard = kept(known.equilibrium)
@@ -112,20 +114,20 @@ def _by_another(s: Standing) -> Decision:
 
 
 def _between(s: Standing) -> Decision:
-    """By the reduced motion, or on the momentum sphere."""
+    """Return what the reduced motion, or the energy on the momentum sphere, decides."""
     decider = s.derived.between
     assert decider is not None
     return s.own(decider.decide(s.numbers, s.margins))
 
 
 def _in_frame(s: Standing) -> Decision:
-    """Of two directions."""
+    """Return the decision for a body in a field of two directions."""
     decide = loaded(f"{THEOREMS}.two_directions:decide_in_frame")
     return s.own(decide(s.eq, s.numbers, s.degenerate, lambda eq: kept(eq).decide_point(Point({}), {})))
 
 
 def _window(s: Standing) -> Decision:
-    """Where gyroscopic forces hold a maximum of the amended potential."""
+    """Return what normal forms decide if gyroscopic forces stabilise a maximum of the amended potential."""
     motion = loaded(f"{NORMAL_FORMS}.local_motion:local_motion")(s.eq, s.numbers, DEGREE)
     if isinstance(motion, list):
         return s.after_integrals(undecided("the amended potential has a maximum, held by gyroscopic forces; "
@@ -134,18 +136,22 @@ def _window(s: Standing) -> Decision:
 
 
 def _without_torque(s: Standing) -> Decision:
-    """As the free body."""
+    """Return what the free body decides, as the field exerts no torque."""
     decide = loaded(f"{THEOREMS}.no_torque:decide_without_torque")
     return s.after_integrals(decide(s.eq, s.numbers, lambda eq: kept(eq).decide(Point({}), {})))
 
 
 def _leading(s: Standing) -> Decision:
-    """By the leading form of the amended potential; where p > 0 there are imaginary eigenvalues beside 0."""
+    """Return what the leading form of the amended potential decides.
+
+    If p > 0, there are two imaginary eigenvalues beside the double eigenvalue 0, as Sokolskii's theorem asks.
+    """
     p = s.eq.insert(s.derived.linearization.coefficients[0])
     amended = loaded(f"{THEOREMS}.amended_expansion:Amended")(s.eq, s.numbers)
     return s.after_integrals(amended.decide(sign(p, s.numbers) == 1))
 
 
+# the order matters: a theorem may assume that no rung before it applies, as normal forms do of both criteria
 RUNGS = (
     Step("second variation", "Lagrange (1788), Dirichlet (1846); Arnold, J. Mécanique 5 (1966) 29-43",
          lambda s: s.sufficient, _definite),
@@ -171,4 +177,4 @@ RUNGS = (
 )
 
 
-kept = once(Ladder)                                        # in other axes, or of a scene that decides instead
+kept = once(Ladder)                                        # derived once for each equilibrium

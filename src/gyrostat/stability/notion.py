@@ -1,17 +1,19 @@
-"""Of what stability something is proved, or violated."""
+"""The notions of stability that are proved, or violated."""
 from enum import Enum
 
 
 class Notion(Enum):
-    """Of what stability something is proved, or violated; NOTHING, which is false, of what is undecided.
+    """The notion of stability that is proved or violated; NOTHING, which is false, if it is undecided.
 
     A notion prints as its value, and is equal to that text.
 
     Examples
     --------
     >>> import gyrostat as gs
-    >>> report = gs.analyze(gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())))
-    >>> report.verdict({"I1": 1, "l": 0, "m0": 1, "pi3_0": 1}).notion is gs.Notion.SPECTRAL
+    >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
+    >>> report = gs.analyze(gs.upright(top))
+    >>> decision = report.verdict({"I1": 1, "l": 0, "m0": 1, "pi3_0": 1})
+    >>> decision.notion is gs.Notion.SPECTRAL
     True
     """
 
@@ -22,7 +24,7 @@ class Notion(Enum):
     FORMAL = "formal"                                      # the second variation is definite
     SECULAR = "secular"                                    # under internal damping
     ENERGY_SINK = "energy sink"                            # to first order in weak dampers
-    PRINTED = "printed"                                    # as a paper has it
+    PRINTED = "printed"                                    # a condition as a paper prints it
 
     def __str__(self) -> str:
         return self.value

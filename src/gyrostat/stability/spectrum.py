@@ -1,4 +1,7 @@
-"""The spectrum of a relative equilibrium: the roots λ² of a polynomial, of which all have to be negative."""
+"""Frequencies and growth rate of a relative equilibrium, by the roots λ² of its characteristic polynomial.
+
+The motion is spectrally stable if all of these roots are real and at most 0.
+"""
 from collections.abc import Callable, Sequence
 from contextlib import suppress
 from functools import reduce
@@ -9,14 +12,15 @@ from sympy import Expr, Float, S, sqrt
 
 from ..algebra.enclosures.precision import doubled, own_precision
 
-DIGITS, BITS = 30, 256                                     # of a rate
+DIGITS, BITS = 30, 256                                     # decimals of a rate, and bits to compute it
 Signs = tuple[int | None, ...]
 
 
 def conditions(spectrum: Sequence[Any]) -> list[Any]:
-    """What has to be positive for all roots of a polynomial of degree 1 to 3 to be negative and apart.
+    """Return what is positive if and only if all roots, one to three, are negative and distinct.
 
-    But for the sign of the product of the roots, which is that of det of the second variation.
+    For two roots their product has to be positive, too: its sign is that of det of the second variation,
+    which is known elsewhere. The last entry for two or three roots is the discriminant of the polynomial.
     """
     if len(spectrum) == 2:
         return [spectrum[1]]
@@ -29,9 +33,10 @@ def conditions(spectrum: Sequence[Any]) -> list[Any]:
 
 def exact_rates(spectrum: Sequence[Expr], whole: int | None, signs: Signs) -> tuple[tuple[Expr, ...],
                                                                                      Expr | None]:
-    """Frequencies and growth rate of a monic spectrum with one or two roots λ².
+    """Return frequencies and growth rate, by a monic spectrum with one or two roots λ².
 
-    By the sign of their product, 0 where one of them is 0, and those of its conditions.
+    The sign of the product of the roots, 0 if one of them is 0, and the signs of the conditions tell which
+    roots are negative.
     """
     if not whole:
         spectrum = spectrum[:-1]
@@ -50,9 +55,12 @@ def exact_rates(spectrum: Sequence[Expr], whole: int | None, signs: Signs) -> tu
 
 
 def rates_in_balls(spectrum: Callable[[int], list[arb]], whole: bool) -> tuple[tuple[Expr, ...], Expr | None]:
-    """The same of a spectrum in balls of any precision, without its last root, 0, if it is not whole."""
+    """Return frequencies and growth rate, by a spectrum in balls of any precision.
+
+    If the spectrum is not whole, its last root is 0 and is dropped.
+    """
     for precision in doubled(BITS):
-        with own_precision(precision), suppress(ValueError):           # two roots are closer than told apart
+        with own_precision(precision), suppress(ValueError):           # roots are not told apart: more bits
             found = squares(spectrum(precision) if whole else spectrum(precision)[:-1])
             if all(x.rel_accuracy_bits() > 4 * DIGITS for x in found):
                 break
@@ -65,7 +73,7 @@ def rates_in_balls(spectrum: Callable[[int], list[arb]], whole: bool) -> tuple[t
 
 
 def squares(spectrum: Sequence[arb]) -> list[acb]:
-    """The roots λ² of a spectrum in balls, of degree up to three; two that cannot be told apart are one."""
+    """Return the roots λ² of a spectrum in balls, up to three; two that cannot be told apart are made one."""
     if len(spectrum) < 2:
         return []
     if len(spectrum) == 2:

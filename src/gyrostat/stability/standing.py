@@ -1,4 +1,4 @@
-"""What stands on a rung of the ladder: an equilibrium at numbers; each answer is found when it is asked."""
+"""An equilibrium at numbers, as the ladder asks about it; each answer is found when it is asked."""
 from dataclasses import dataclass, replace
 
 from sympy import Expr
@@ -18,8 +18,7 @@ THEOREMS = "stability.theorems"
 
 @dataclass(frozen=True)
 class Standing:
-    """What stands on a rung: the report of an equilibrium, at numbers; each answer is found when it is asked.
-    """
+    """The report of an equilibrium at numbers, with the answers that the rungs of the ladder ask for."""
 
     derived: Derived
     numbers: Point
@@ -32,17 +31,17 @@ class Standing:
 
     @cached_property
     def sufficient(self) -> bool | None:
-        """Whether the second variation is definite; None where a margin has no proved sign."""
+        """Whether the second variation is definite; None if a margin has no proved sign."""
         return holds(self.derived.sufficient, self.numbers, self.margins)
 
     @cached_property
     def necessary(self) -> bool | None:
-        """Whether no eigenvalue grows; the same."""
+        """Whether no eigenvalue has a positive real part; None if a margin has no proved sign."""
         return holds(self.derived.necessary, self.numbers, self.margins)
 
     @cached_property
     def other(self) -> Seen | None:
-        """The scene that decides instead, if any."""
+        """The equilibrium of another scene that decides instead, if any."""
         return seen_at(self.eq, self.numbers)
 
     @cached_property
@@ -53,7 +52,7 @@ class Standing:
 
     @cached_property
     def missing(self) -> str:
-        """Names without a number that the theorems need."""
+        """The names without a number that the theorems need."""
         eq, (_, names) = self.eq, self.derived.determinant
         if not self.derived.open_between or self.degenerate and self.derived.may_lie_on_curve:
             names += names_of_motion(eq)
@@ -61,17 +60,17 @@ class Standing:
 
     @cached_property
     def by_integrals(self) -> Decision:
-        """What integrals that are given decide."""
+        """The decision by integrals that the user gives."""
         return loaded(f"{THEOREMS}.given_integrals:decide_by_integrals")(self.eq, self.numbers)
 
     def own(self, found: Decision) -> Decision:
-        """In the axes of the scene, modulo what the criteria divide out."""
+        """Return a decision in the axes of the scene, modulo what the criteria divide out."""
         recognised, modulo = self.derived.recognised, self.derived.sufficient.modulo
         if recognised:
             found = replace(found, reason=recognised.worded(found.reason))
         return replace(found, modulo=modulo) if modulo and not found.modulo else found
 
     def after_integrals(self, found: Decision) -> Decision:
-        """The same, with the reason why the integrals do not decide before it."""
+        """Return a decision with the reason why given integrals do not decide before its own."""
         why = self.by_integrals.reason if self.eq.system.given_integrals else ""
         return self.own(replace(found, reason=f"{why}; {found.reason}") if why else found)

@@ -13,7 +13,9 @@ from gyrostat.mechanics.families.scene_tables import SceneTable
 
 PAGE = Path(__file__).parents[3] / "docs" / "how-to" / "data-sheet.md"
 TEXT = PAGE.read_text(encoding="utf-8") if PAGE.exists() else ""
-COMMANDS = [line for block in re.findall(r"```sh\n(.*?)```", TEXT, re.DOTALL) for line in block.splitlines()]
+FILES = dict(re.findall(r"```toml\n# (\S+)\n(.*?)```", TEXT, re.DOTALL))     # by the names on top of them
+COMMANDS = [line for block in re.findall(r"```sh\n(.*?)```", TEXT, re.DOTALL)
+            for line in block.replace("\\\n", "").splitlines()]
 SATELLITE = """
 [scene.satellite]
 inertia = [["120 kg m^2", "2 kg m^2", 0], ["2 kg m^2", "110 kg m^2", 0], [0, 0, "80 kg m^2"]]
@@ -27,10 +29,10 @@ values = { Hx = "1 N m s" }
 @pytest.mark.skipif(not PAGE.exists(), reason="the page is not part of an installed copy")
 @pytest.mark.parametrize("command", COMMANDS)
 def test_a_command_of_the_page(capsys, tmp_path, monkeypatch, command):
-    """It answers, as it is typed, beside the file of the page."""
+    """It answers, as it is typed, beside the files of the page."""
     monkeypatch.chdir(tmp_path)
-    (file,) = re.findall(r"```toml\n(.*?)```", TEXT, re.DOTALL)
-    Path("station.toml").write_text(file)
+    for name, content in FILES.items():
+        Path(name).write_text(content)
     program, verb, *arguments = shlex.split(command)
     status, out, _ = run(capsys, *arguments, verb=verb)
     assert program == "gyrostat" and status == 0 and out

@@ -181,7 +181,7 @@ def test_a_file_with_one_scene_needs_no_name(capsys, tmp_path):
     path = tmp_path / "one.toml"
     path.write_text("[scene.box]\nvalues = { omega3_0 = 1, I1 = 1, I2 = 2, I3 = 3 }\n")
     status, out, _ = run(capsys, "--scene", str(path), verb="decide")
-    assert status == 0 and out.startswith("rotation about axis 3") and "I₂ − I₃ = -1" in out
+    assert status == 0 and out.startswith("rotation about axis 3") and "I₂ − I₃ = −1" in out
 
 
 def test_a_batch_of_a_scene(capsys, file, tmp_path):

@@ -35,4 +35,4 @@ def test_short_margins_are_written_out(capsys):
     spin = ["--inertia", "3,5,4", "--gyrostatic-momentum", "0,0,0", "--potential", "m0*k3",
             "--point", "0,0,4*w,0,0,1", "--set", "w=3", "m0=1"]
     text = decide(capsys, *spin)[1]
-    assert "−m₀ − w² = -10" in text and "margin of" not in text
+    assert "−m₀ − w² = −10" in text and "margin of" not in text

@@ -1,6 +1,7 @@
 """What options mean: a scene, an axis of a chart, a motion, LaTeX.
 
-`scene_options` declares the options that name a scene, and `scene_files` fills them from a file.
+`scene_options` declares the options that name a scene, and `scene_files` fills them from a file;
+`units_given` tells whether their numbers have units.
 `axis_option` has the values of an axis, `motion_options` a motion and its times, and `latex_options` say how
 LaTeX is written.
 """

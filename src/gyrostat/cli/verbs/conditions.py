@@ -17,10 +17,11 @@ from ...printing.results.beyond_reports import result_blocks
 from ...printing.results.document import conditions_blocks
 from ...printing.results.inequalities import criterion_blocks
 from ...questions.answers.between_criteria import between_blocks
+from ...questions.answers.brief_solutions import brief
 from ...questions.answers.condition_list import condition_list
 from ...questions.answers.energy_sink import sink_of
 from ...questions.answers.equilibria import labels_of, some
-from ...questions.answers.solve_for import solutions_data, solved
+from ...questions.answers.solve_for import Solved, solutions_data, solved
 from ...questions.given_numbers import numbers_of
 from ...questions.scene_texts import Asked, scene_of
 from ...stability.criteria.number_notes import scene_note
@@ -28,6 +29,8 @@ from ...stability.report.report import Report
 from ..options.latex_options import paper_of
 from ..options.scene_files import asked_of, scene_of_file, with_scene
 from ..output import Output
+
+FEW = 25                                               # lines of the sets of --solve-for without --full
 
 
 def run(given: argparse.Namespace, out: Output) -> int:
@@ -69,16 +72,28 @@ def _solve(given: argparse.Namespace, asked: Asked, labels: Sequence[str], numbe
     if given.format == "json":
         out(json_text(solutions_data(found, missing)))
         return 0
-    blocks: list[Block] = []
-    for label, report, solution in found:
-        blocks += [Heading(label), *_family(report), *result_blocks(solution)]
-    blocks += [block for m in missing for block in m.blocks()]
+    without = [block for m in missing for block in m.blocks()]
     if given.format == "latex":
         title = f"Values of {name} that stabilise".replace("_", r"\_")
-        out(article(title, blocks, paper_of(given)))
-    else:
-        out(text(blocks, out.width))
+        out(article(title, [*_sets(found), *without], paper_of(given)))
+        return 0
+    said = ""
+    if not given.full:
+        found, said = brief(found, lambda *shown: _shown(*shown, out.width).count("\n") <= FEW)
+    out("\n".join(filter(None, (_shown(found, said, out.width), without and text(without, out.width)))))
     return 0
+
+
+def _shown(found: Sequence[Solved], said: str, width: int) -> str:
+    """The sets, and apart from them what is said below."""
+    sets = _sets(found)
+    return "\n".join(text(blocks, width) for blocks in (sets, [sentence(said)] if said else []) if blocks)
+
+
+def _sets(found: Sequence[Solved]) -> list[Block]:
+    """The set of each equilibrium."""
+    return [block for label, report, solution in found
+            for block in (Heading(label), *_family(report), *result_blocks(solution))]
 
 
 def _family(report: Report) -> list[Block]:

@@ -1,17 +1,14 @@
 """gyrostat decide: verdicts at numbers, of the equilibrium they name or of all they allow."""
 import argparse
 
-from sympy import CRootOf, Expr
-
-from ...algebra.enclosures.balls import Enclosed
 from ...notation import symbol
-from ...printing.blocks import Block, Display, Heading, Word, sentence
-from ...printing.formats.json_data import double, form_data, json_text, window_data
-from ...printing.formats.text import text
+from ...printing.blocks import Block, Display, Heading, Word, prose, sentence
+from ...printing.formats.json_data import form_data, json_text, window_data
+from ...printing.formats.text import number_text, text
 from ...printing.results.decision import damped_block, decision_blocks, note_blocks, reason_block
-from ...printing.results.interval_ends import number as rounded
 from ...printing.results.normal_form import form_blocks, window_blocks
 from ...questions.answers.answer_list import answers_data, note_once
+from ...questions.answers.answer_table import answer_table, legend
 from ...questions.answers.answers import Answer, answers_at, normal_form_of
 from ...questions.answers.arcs import arcs_at, arcs_blocks, arcs_data
 from ...questions.answers.equilibria import Missing
@@ -21,9 +18,8 @@ from ...stability.criteria.number_notes import scene_note
 from ...stability.normal_forms.d4_along_family import Window
 from ..batch.batch import run as each
 from ..options.scene_files import asked_of, with_scene
+from ..options.units_given import units_given
 from ..output import Output
-
-LONG = 200                                                 # characters that nobody reads
 
 _NOWHERE = "No such relative equilibrium exists at these numbers."
 
@@ -52,40 +48,33 @@ def run(given: argparse.Namespace, out: Output) -> int:
     answers = answers_at(asked, given.equilibrium, numbers)
     if given.format == "json":
         out(json_text(answers_data(answers)))
-    else:
-        note, bare = note_once(answers)
-        blocks = [block for a in bare for block in (a.blocks() if isinstance(a, Missing) else _blocks(a))]
-        out(text([*(blocks or [sentence(_NOWHERE)]), *note_blocks(note)], out.width))
+        return 0
+    note, bare = note_once(answers)
+    found, missing = ([a for a in bare if isinstance(a, kind)] for kind in (Answer, Missing))
+    units, without = units_given(given), [block for m in missing for block in m.blocks()]
+    if len(found) < 2 or given.equilibrium is not None:
+        blocks = [block for a in found for block in _blocks(a, a.label, units)]
+        out(text([*blocks, *without, *([] if blocks or without else [sentence(_NOWHERE)]),
+                  *note_blocks(note)], out.width))
+        return 0
+    details = [block for n, a in enumerate(found, 1) for block in _blocks(a, f"{n}  {a.label}", units)]
+    out(answer_table(found, units, out.width) + "\n")
+    out(text([prose(legend(found)), *([] if given.full else [sentence("Details: --full")]), *without,
+              *note_blocks(note), *(details if given.full else [])], out.width))
     return 0
 
 
-def _blocks(answer: Answer) -> list[Block]:
-    blocks: list[Block] = [Heading(answer.label)]
-    if answer.place:
-        blocks += [Display(symbol(name), _value(number)) for name, number in answer.place.items()]
-    blocks += [Display(symbol(name), rounded(rate)) for name, rate in answer.rates.items()]
+def _blocks(answer: Answer, title: str, units: bool) -> list[Block]:
+    """The details of one equilibrium: its place and its rates, the verdicts and their reasons."""
+    blocks: list[Block] = [Heading(title)]
+    for name, number in [*answer.place.items(), *answer.rates.items()]:
+        value = "any" if number is None else number_text(number)
+        unit = answer.unit_of(name) if units else ""
+        said = f"{value} {unit}".rstrip()
+        blocks.append(Display(symbol(name), Word(said, said)))
     blocks += [*decision_blocks(answer.decision, answer.at), reason_block(answer.decision),
                damped_block(answer.decision, answer.damped)]
     if answer.itself is not None:
         blocks += [*decision_blocks(answer.itself, answer.at, "The point itself"),
                    reason_block(answer.itself)]
     return blocks
-
-
-def _value(number: Expr | None) -> Word:
-    """A number exactly, and as a decimal where that says more; a long one as a decimal alone."""
-    if number is None:
-        return Word("any", "any")
-    if _is_long(number):
-        return rounded(number)
-    text = (
-        str(number)
-        if number.is_Integer
-        else f"{number} ≈ {f'{value:.10g}' if (value := double(number)) else number.evalf(10)}"
-    )
-    return Word(text, text)
-
-
-def _is_long(number: Expr) -> bool:
-    """Whether its text is, or is that of the root of a polynomial, which nobody reads."""
-    return number.has(CRootOf, Enclosed) or len(str(number)) > LONG

@@ -42,7 +42,7 @@ def orbit_tangent(eq: Equilibrium) -> ImmutableMatrix:
 
     References
     ----------
-    Vera & Viguera (2003), §4.1.1.
+    Vera & Viguera (2003), §4.1.1; derived in docs/explanation/derivations/conditions.md, section 3.
 
     Examples
     --------
@@ -127,7 +127,7 @@ def symplectic_slice(eq: Equilibrium) -> ImmutableMatrix:
     References
     ----------
     Simo, Lewis & Marsden, Arch. Rational Mech. Anal. 115 (1991) 15-59; Ortega & Ratiu, Nonlinearity 12 (1999)
-    693-720.
+    693-720; at E3 derived in docs/explanation/derivations/conditions.md, section 6.
 
     Examples
     --------

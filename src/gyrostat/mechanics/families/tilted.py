@@ -45,7 +45,7 @@ def inclined(scene: System, eliminate: str | None = None) -> Equilibrium:
 
     References
     ----------
-    Vera & Viguera (2003), §3.
+    Vera & Viguera (2003), §3; derived in docs/explanation/derivations/conditions.md, section 2.
 
     Examples
     --------

@@ -122,7 +122,7 @@ class LiePoisson(Shown, Stored):
 
         References
         ----------
-        Vera & Viguera (2003), §2.
+        Vera & Viguera (2003), §2; written out in docs/explanation/derivations/conditions.md, section 1.
 
         Examples
         --------

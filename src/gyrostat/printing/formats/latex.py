@@ -1,6 +1,4 @@
-"""to_latex(obj): conditions, matrices, polynomials, every public object, and whole reports, in the notation
-of the sources.
-"""
+"""LaTeX of expressions, matrices and every public object, in the notation of the sources."""
 import re
 from collections.abc import Iterable, Sequence
 from functools import singledispatch
@@ -25,7 +23,7 @@ from ...stability.criteria.energy_casimir import SecondVariation
 from ...stability.criteria.linearization import Linearization
 from ...stability.decision import Decision
 from ...stability.report.report import Report
-from ..blocks import Block, Display, Sentence, Word, rate_of
+from ..blocks import Block, Display, Number, Sentence, Word, rate_of
 from ..letters import letters_in
 from ..order import ordered_factors, ordered_terms, over, signed
 from ..results.decision import letters_of_decision, levels_of
@@ -98,9 +96,11 @@ class Printer(LatexPrinter):
 
 
 def tex(value: Any, names: Names, at: Any = None) -> str:
-    """An expression, a matrix or a name."""
+    """An expression, a matrix, a number or a name."""
     if isinstance(value, Word):
         return names.fill(value.latex)
+    if isinstance(value, Number):
+        return "".join(tex(part, names) for part in value.parts)
     if isinstance(value, MatrixBase):
         cells = [[tex(entry, names, at) for entry in row] for row in value.tolist()]
         gap = r" \\[3pt] " if any(r"\frac" in cell for row in cells for cell in row) else r" \\ "

@@ -8,7 +8,7 @@ from typing import Any
 
 from sympy import Expr, MatrixBase
 
-from ...algebra.rings.readable import entries
+from ...algebra.rings.readable import entries, readable
 from ...algebra.text.numbers import double, shown
 from ...mechanics.equilibrium.equilibrium import Equilibrium
 from ...mechanics.scenes.body import Gyrostat
@@ -21,8 +21,9 @@ from ...stability.criteria.linearization import Linearization
 from ...stability.decision import Decision
 from ...stability.report.report import Report
 from ...typesetting import SUBSCRIPTS
-from ..blocks import Block, Display, Heading, Rows, Sentence, Word
+from ..blocks import Block, Display, Heading, Number, Rows, Sentence, Word
 from ..letters import letter, letters_in
+from ..numbers import number
 from ..results.decision import OF, named_margins
 from ..results.document import point_blocks, report_blocks
 from ..results.inequalities import comparisons
@@ -113,7 +114,7 @@ def _decision(decision: Decision) -> str:
             said += f" on its level of {_row(decision.level)}"
         if decision.locus:
             said += f" as a set, {decision.locus}"
-    values = [f"{OF + name if name else margin} = {shown(value)}"
+    values = [f"{OF + name if name else unicode(readable(margin))} = {number_text(value)}"
               for margin, name, value in named_margins(decision)]
     reason = f"{', '.join(values)}: {decision.reason}" if values else decision.reason
     note = f" (note: {decision.note})" if decision.note else ""
@@ -123,6 +124,18 @@ def _decision(decision: Decision) -> str:
 @plain.register
 def _report(report: Report) -> str:
     return text(report_blocks(report)).rstrip("\n")
+
+
+def number_text(value: Expr) -> str:
+    """A number as all texts have it.
+
+    Examples
+    --------
+    >>> from sympy import Rational, sqrt
+    >>> number_text(Rational(-1, 2)), number_text(sqrt(3) / 4)
+    ('−1/2', '√3/4 ≈ 0.4330')
+    """
+    return _inline(number(value), None)
 
 
 def _entered(values: Iterable[Expr]) -> str:
@@ -164,9 +177,11 @@ def _whole(part: Any, at: Any) -> str:
 
 
 def _inline(part: Any, at: Any) -> str:
-    """A text as it is, a name, or a formula."""
+    """A text as it is, a name, a number, or a formula."""
     if isinstance(part, str):
         return part
+    if isinstance(part, Number):
+        return "".join(_inline(each, at) for each in part.parts)
     return part.text if isinstance(part, Word) else unicode(part, at)
 
 

@@ -28,7 +28,8 @@ class _Unicode(StrPrinter):
             inner = self._print(base)
             return f"√{inner}" if base.is_Symbol or base.is_Integer and base >= 0 else f"√({inner})"
         inner = self._print(base)
-        inner = inner if base.is_Symbol and not inner.endswith(tuple("⁰)")) else f"({inner})"
+        plain = base.is_Symbol and not inner.endswith(tuple("⁰)")) or base.is_Integer and base >= 0
+        inner = inner if plain else f"({inner})"
         return inner + (str(exponent).translate(SUPERSCRIPTS) if exponent.is_Integer
                         else f"^({self._print(exponent)})")
 
@@ -50,6 +51,9 @@ class _Unicode(StrPrinter):
 
     def _print_Abs(self, expr: Expr) -> str:
         return f"|{self._print(expr.args[0])}|"
+
+    def _print_Exp1(self, expr: Expr) -> str:
+        return "e"
 
     def _print_Pi(self, expr: Expr) -> str:
         return "π"

@@ -3,6 +3,5 @@
 `document` is a whole report: its `scene`, the point, both matrices and the `inequalities`; `boundary`,
 `drift` and `normal_form` say what decides between the criteria, `rotations` which names a family in any
 direction has, `two_directions` what is special of two. `decision` is a verdict at numbers. `beyond_reports`
-has every other result, with `critical_points` for rotations and satellites, `staude` for Staude's cone, and
-`interval_ends` for sets of a parameter.
+has every other result, with `critical_points` for rotations and satellites and `staude` for Staude's cone.
 """

@@ -28,6 +28,7 @@ from ...stability.theorems.boundary import Boundary
 from ...stability.theorems.drift import Drift
 from ..blocks import Block, Display, equations, joined, sentence
 from ..letters import letter, letters_in, letters_of
+from ..numbers import in_sentence, tidy
 from .boundary import ladder, rung_display, squared_rate
 from .critical_points import (
     amended_potential,
@@ -36,7 +37,6 @@ from .critical_points import (
 )
 from .drift import drift_displays
 from .inequalities import existence
-from .interval_ends import number, tidy
 from .normal_form import form_blocks, window_blocks
 from .staude import arc_blocks, cone_blocks
 
@@ -123,7 +123,7 @@ def _set(intervals: tuple[Interval, ...], x: Expr) -> tuple[Any, ...]:
     if touching and shared == INCLUDED:
         return "every ", x
     if touching:
-        parts: tuple[Any, ...] = (x, " ≠ ", number(first.high))
+        parts: tuple[Any, ...] = (x, " ≠ ", in_sentence(first.high))
     else:
         parts = joined(" or ", [_interval(i, x, lowest) for i in intervals])
     if shared in (EXCLUDED, INCLUDED):
@@ -133,7 +133,7 @@ def _set(intervals: tuple[Interval, ...], x: Expr) -> tuple[Any, ...]:
         return (*parts, *_too(("the ends",), shared))
     for end, rungs in dict(ends).items():
         if rungs is not None:
-            parts += _too((x, " = ", number(end)), rungs)
+            parts += _too((x, " = ", in_sentence(end)), rungs)
     return parts
 
 
@@ -147,17 +147,17 @@ def _too(ends: tuple[Any, ...], rungs: Ladder) -> tuple[Any, ...]:
 def _interval(i: Interval, x: Expr, lowest: Expr) -> tuple[Any, ...]:
     parts: tuple[Any, ...]
     if i.low == i.high:
-        parts = (x, " = ", number(i.low))
+        parts = (x, " = ", in_sentence(i.low))
     elif i.high == oo and i.low != lowest and not i.tilt:
-        parts = (x, " ≥ " if i.low_if == INCLUDED else " > ", number(i.low))
+        parts = (x, " ≥ " if i.low_if == INCLUDED else " > ", in_sentence(i.low))
     else:
         parts = (x,)
         if i.low != lowest:
-            parts = (number(i.low), " ≤ " if i.low_if == INCLUDED else " < ", *parts)
+            parts = (in_sentence(i.low), " ≤ " if i.low_if == INCLUDED else " < ", *parts)
         if i.high != oo:
-            parts = (*parts, " ≤ " if i.high_if == INCLUDED else " < ", number(i.high))
+            parts = (*parts, " ≤ " if i.high_if == INCLUDED else " < ", in_sentence(i.high))
     if i.tilt:
-        low, high = map(number, i.tilt)
+        low, high = map(in_sentence, i.tilt)
         parts = (*parts, " (", symbol("k3"), " from ", low, " to ", high, ")")
     return parts
 
@@ -190,7 +190,7 @@ def _bifurcation(b: Bifurcation) -> list[Block]:
 def _mark(point: Mark) -> list[Block]:
     free = symbol(point.name)
     where = ((free, point.value), (symbol("k3"), point.k3), (letter(letters_in([free]), "nu"), point.nu))
-    places = [(name, number(value)) for name, value in where if value is not None]
+    places = [(name, in_sentence(value)) for name, value in where if value is not None]
     return [sentence(f"{point.kind} at ", *equations(places))]
 
 

@@ -11,7 +11,7 @@ from ...notation import symbol
 from ...registry import Letters
 from ..blocks import Block, Display, Word, joined, listed, sentence
 from ..letters import letters_of, word
-from .interval_ends import number
+from ..numbers import in_sentence
 
 VECTORS = {"k": Word("k", "⟨vector_k⟩"), "M": Word("M", "⟨vector_M⟩"), "n": Word("n", "n"),
            "r": Word("r", "r")}
@@ -26,7 +26,7 @@ def critical_point(point: CriticalPoint) -> list[Block]:
     """Which one it is, the value there, and the rotation."""
     kind = "degenerate point" if point.kind == "degenerate" else point.kind
     amended = _amended(letters_of(point.rotation.scene))
-    return [sentence(f"{kind} of ", amended, " = ", number(point.value), " at ", *_place(point.rotation),
+    return [sentence(f"{kind} of ", amended, " = ", in_sentence(point.value), " at ", *_place(point.rotation),
                      _ended(point.rotation))]
 
 
@@ -46,8 +46,8 @@ def _amended(letters: Letters) -> Word:
 
 def _place(found: RelativeEquilibrium) -> tuple[Any, ...]:
     """Vectors and names with their numbers, then the name that takes every value."""
-    clauses = [(VECTORS[name], " = (", *listed(map(number, value)), ")") if isinstance(name, str)
-               else (name, " = ", number(value))
+    clauses = [(VECTORS[name], " = (", *listed(map(in_sentence, value)), ")") if isinstance(name, str)
+               else (name, " = ", in_sentence(value))
                for name, value in found.form.described if value is not None]
     every, value = found.form.described[0]
     return joined(", ", clauses if value is not None else [*clauses, ("every ", every)])

@@ -5,12 +5,12 @@ from typing import Any
 from sympy import Expr
 
 from ...algebra.rings.readable import readable
-from ...algebra.text.numbers import shown
 from ...notation import symbol
 from ...registry import Letters
 from ...stability.decision import C1, Decision, Verdict
-from ..blocks import Block, Display, Sentence, Word, listed, modulo_flow, sentence
+from ..blocks import Block, Display, Sentence, listed, modulo_flow, sentence
 from ..letters import letter, letters_in
+from ..numbers import number
 from .inequalities import source_word
 
 LONG = 200                                                 # characters of a margin that is shown by its name
@@ -35,8 +35,7 @@ def decision_blocks(decision: Decision, at: Any, of: str = "Verdict") -> list[Bl
                                     f"; {decision.proved}.")]
     for margin, name, value in named_margins(decision):
         left = source_word(name, letters, OF) if name else readable(margin)
-        said = shown(value)
-        blocks.append(Display(left, Word(said, said), at, "=" if str(value) in said else "≈", "value"))
+        blocks.append(Display(left, number(value), at, label="value"))
     if any(name in ("t", "s") for _, name, _ in named_margins(decision)):
         trace, determinant = letter(letters, "t"), letter(letters, "s")
         blocks.append(sentence("Here ", trace, " and ", determinant, " are the trace and the determinant of "

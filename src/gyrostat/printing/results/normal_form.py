@@ -8,8 +8,8 @@ from ...stability.normal_forms.d4_along_family import Window
 from ...stability.normal_forms.normal_form import NormalForm
 from ..blocks import Block, Display, Word, sentence
 from ..letters import letter, letters_in, word
+from ..numbers import number
 from .inequalities import polynomial_of
-from .interval_ends import number
 
 _DIGITS = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 _POWERS = ("", "", "²", "³")

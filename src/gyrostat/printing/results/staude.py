@@ -12,7 +12,7 @@ from ...notation import symbol
 from ...stability.decision import Rung
 from ..blocks import Block, Display, Word, equations, listed, sentence
 from ..letters import letter, letters_in
-from .interval_ends import number
+from ..numbers import in_sentence
 
 VECTOR, OMEGA = Word("k", "⟨vector_k⟩"), symbol("omega")
 FAST = {oo: Word("ω → ∞", r"⟨omega⟩\to\infty"), -oo: Word("ω → −∞", r"⟨omega⟩\to-\infty")}
@@ -42,9 +42,10 @@ def arc_blocks(arc: Arc) -> list[Block]:
 
 
 def _crossed(rotation: RelativeEquilibrium) -> Block:
-    return sentence("Where ", *equations([(OMEGA, number(rotation.rates["omega"]))]), " every direction of ",
+    rate = in_sentence(rotation.rates["omega"])
+    return sentence("Where ", *equations([(OMEGA, rate)]), " every direction of ",
                     rotation.locus, ", through ", VECTOR, " = (",
-                    *listed(map(number, rotation.directions[0])),
+                    *listed(map(in_sentence, rotation.directions[0])),
                     "), is that of a permanent rotation")
 
 
@@ -62,14 +63,16 @@ def _end(end: End) -> tuple[Any, ...]:
     if end.omega in FAST:
         rate: tuple[Any, ...] = (FAST[end.omega],)
     else:
-        rate = (*equations([(OMEGA, number(end.omega))]), " and rotations meet") if end.omega else equations(
-            [(OMEGA, S.Zero)])
-    return (VECTOR, " = (", *listed(map(number, end.k)), "), where ", *rate, ",")
+        rate = equations([(OMEGA, in_sentence(end.omega))])
+        rate = (*rate, " and rotations meet") if end.omega else rate
+    return (VECTOR, " = (", *listed(map(in_sentence, end.k)), "), where ", *rate, ",")
 
 
 def _interval(low: Expr, x: Expr, high: Expr) -> tuple[Any, ...]:
     if low == -oo and high == oo:
         return "every ", x
     if low == -oo:
-        return x, " < ", number(high)
-    return (x, " > ", number(low)) if high == oo else (number(low), " < ", x, " < ", number(high))
+        return x, " < ", in_sentence(high)
+    if high == oo:
+        return x, " > ", in_sentence(low)
+    return in_sentence(low), " < ", x, " < ", in_sentence(high)

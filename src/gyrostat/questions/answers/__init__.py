@@ -2,7 +2,8 @@
 
 `equilibria` finds the equilibria that are asked for, by their `equilibrium_labels` or as a point, with their
 reports. A `report_list` has the derivations and decisions of them, a `condition_list` the conditions, with
-what decides `between_criteria` and the condition of a dual spinner (`energy_sink`); `solve_for` solves them
-for a parameter. `answers` gives the decisions of decide, of one equilibrium or an `answer_list` of all,
-`arcs` those along curves.
+what decides `between_criteria` and the condition of a dual spinner (`energy_sink`). `solve_for` solves them
+for a parameter, and `brief_solutions` shortens the sets that it finds. `answers` gives the decisions of
+decide, of one equilibrium or an `answer_list` of all, which an `answer_table` shows at a glance; `arcs` those
+along curves.
 """

@@ -14,6 +14,7 @@ from ...mechanics.families.named_families import E3, EARTH_POINTING, POLES
 from ...mechanics.scenes.kind import Kind
 from ...mechanics.scenes.system import System, at_numbers, names_of_scene
 from ...notation import symbol
+from ...printing.formats.si_units import RATE, unit_of
 from ...stability.decision import Decision
 from ...stability.normal_forms.d4_along_family import Window
 from ...stability.normal_forms.normal_form import NormalForm
@@ -67,6 +68,14 @@ class Answer:
         rates = {f"frequency_{n}": x for n, x in enumerate(self.at_point.frequencies, 1)}
         growth = self.at_point.growth_rate
         return rates if growth is None else rates | {"growth_rate": growth}
+
+    def unit_of(self, name: str) -> str:
+        """The unit in SI of a place or a rate.
+
+        The notation table has σ as a multiplier; for a body of revolution it is a rate.
+        """
+        turns = self.found.rates if self.found is not None else {}
+        return RATE if name in turns or name.startswith("frequency") else unit_of(name)
 
 
 def answers_at(asked: Asked, label: str | None, numbers: Mapping[str, Expr]) -> list[Answer | Missing]:

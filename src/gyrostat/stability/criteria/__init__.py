@@ -1,10 +1,10 @@
 """The spectral, the formal and the secular criterion: inequalities, and whether they hold.
 
 `linearization` gives the linearised field on the orbit with its characteristic polynomial, `energy_casimir`
-the second variation on the symplectic slice. In closed form these are, for permanent rotations,
-`amended_form`, and `closed_form` with names left open; for a body at rest in the frame of two directions
-`orientation_form`. `sextic` takes the signs of a polynomial in λ² apart, `three_criteria` makes the criteria,
-`conditions` writes them as inequalities, and `implication` drops those that follow from others. At numbers,
-`numbers_asked` reads them, `number_notes` says what is unusual about them, and `truth` tells whether a
-criterion holds.
+the second variation on the symplectic slice. Their closed forms are in `amended_form` for permanent
+rotations, in `closed_form` with names left open, and in `orientation_form` for a body at rest in the frame of
+two directions. `sextic` factors a polynomial in λ² and gives the signs that it needs, `three_criteria` makes
+the criteria, `conditions` writes them as inequalities, and `implication` drops those that follow from others.
+At numbers, `numbers_asked` reads them, `number_notes` says what is unusual about them, and `truth` tells
+whether a criterion holds.
 """

@@ -1,4 +1,8 @@
-"""Trace, determinant, p and q of a permanent rotation in any direction, by names that are defined in turn."""
+"""Trace, determinant, p and q of a permanent rotation in any direction, by names that are defined in turn.
+
+Written out in the names of the scene they would be too long: each name stands for a vector or a matrix of the
+amended potential (AmendedForm).
+"""
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -25,7 +29,7 @@ UPPER = [(i, j) for i in range(3) for j in range(i, 3)]
 
 
 class Named:
-    """The names in which the conditions are written, where the scene has one of them another.
+    """The names in which the conditions are written; others, if the scene has one of them already.
 
     Parameters
     ----------
@@ -44,7 +48,7 @@ class Named:
 
 @dataclass(frozen=True)
 class ClosedForm:
-    """What decides a permanent rotation in any direction k: too long to be written in the names of the scene.
+    """What decides a permanent rotation in any direction k, by names that are defined in turn.
 
     Parameters
     ----------
@@ -61,7 +65,10 @@ class ClosedForm:
 
     @cached_property
     def definitions(self) -> tuple[Relation, ...]:
-        """Each name, by those of the family and those before it."""
+        """Each name with its definition, by names of the family and those before it.
+
+        Derived in docs/explanation/derivations/amended-potential.md, sections 3 and 4.
+        """
         inertia, rotor, hessian, k, omega, mu = self._data
         along = [dot(row, k) for row in inertia]
         v = [2 * omega * a + l for a, l in zip(along, rotor)]
@@ -77,7 +84,7 @@ class ClosedForm:
                 (own.q, own.J * own.determinant / tensor.det()))
 
     def criterion(self, notion: Notion) -> Criterion:
-        """Spectral, formal or secular."""
+        """Return the spectral, formal or secular criterion in these names."""
         own = self.named
         wanted: tuple[tuple[Expr, str], ...] = (own.trace, "t"), (own.determinant, "s")
         if notion == Notion.SPECTRAL:
@@ -88,12 +95,12 @@ class ClosedForm:
 
     @cached_property
     def required(self) -> tuple[str, ...]:
-        """Names that a verdict needs."""
+        """The names that a verdict needs."""
         eq = self.equilibrium
         return names_in([*self._flat, *eq.existence(), *eq.constraints, *eq.point[3:]])
 
     def at(self, numbers: Point) -> AmendedForm:
-        """The four numbers at a point, exact; the definitions are not inserted into each other."""
+        """Return the four numbers at a point, exactly, without inserting the definitions into each other."""
         rational = [_rational(e, numbers) for e in self._flat]
         if None in rational:
             return with_multiplier(*_shaped([evaluate(e, numbers) for e in self._flat]))
@@ -102,13 +109,17 @@ class ClosedForm:
 
     @cached_property
     def momentum_across(self) -> list[Expr]:
-        """M × k, 0 where damping may not reach every motion."""
+        """The product M × k, which is 0 if damping may not reach every motion."""
         inertia, rotor, _, k, omega, _ = self._data
         return [*cross([omega * dot(row, k) + l for row, l in zip(inertia, rotor)], k)]
 
     @cached_property
     def _data(self) -> tuple[Any, ...]:
-        """I, l, D²U, k, omega and μ on the family; μ modulo abs(k) = 1, where it is a multiple of k·k."""
+        """The data I, l, D²U, k, omega and μ on the family.
+
+        If μ is a multiple of k·k, it is divided by it: both are the same on abs(k) = 1, and the quotient is
+        shorter.
+        """
         eq, body = self.equilibrium, self.equilibrium.system.body
         potential, k = eq.system.potential, eq.point[3:]
         assert potential is not None
@@ -133,13 +144,13 @@ closed_form = once(ClosedForm)                             # derived once for ea
 
 
 def _shaped(flat: Sequence[Any]) -> tuple[Any, ...]:
-    """I, l, μ, D²U, k and omega, of the list of all of them."""
+    """Return I, l, μ, D²U, k and omega from the list of all of them."""
     inertia, hessian = ([flat[n:n + 3] for n in range(start, start + 9, 3)] for start in (0, 12))
     return inertia, flat[9:12], flat[25], hessian, flat[21:24], flat[24]
 
 
 def _on_sphere(expression: Expr, square: Expr) -> Expr:
-    """The expression divided by k·k, where that divides it."""
+    """Return the expression divided by k·k, if that divides it."""
     ring = Ring([expression, square])
     top, bottom = ring.fraction(expression)
     quotient, rest = divmod(top, ring.numerator(square))
@@ -147,7 +158,7 @@ def _on_sphere(expression: Expr, square: Expr) -> Expr:
 
 
 def _rational(expression: Expr, numbers: Point) -> fmpq | None:
-    """The value of a fraction of polynomials at rational numbers; None of anything else."""
+    """Return the value of a fraction of polynomials at rational numbers; None for anything else."""
     if expression.is_Symbol:
         return numbers.rational.get(expression)
     if expression is S.Zero:

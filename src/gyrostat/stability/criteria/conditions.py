@@ -1,7 +1,4 @@
-"""Margins, conditions and criteria.
-
-The spectral and the formal test as inequalities, reduced to what is independent.
-"""
+"""Conditions and criteria: the tests of stability as polynomial inequalities, reduced to independent ones."""
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field, replace
 
@@ -21,18 +18,18 @@ from .implication import Implied, Item, merge, reduced
 
 @dataclass(frozen=True)
 class Condition(Shown, Stored):
-    """margin > 0, or margin ≥ 0: one inequality in normal form.
+    """One inequality in normal form: margin > 0, or margin ≥ 0.
 
     Parameters
     ----------
     margin : Expr
         primitive integer polynomial; positive is good
     strict : bool
-        > or ≥
+        whether it is >, not ≥
     source : str
-        what it came from
+        what it came from: p, q, p² − 4q, a minor, …
     degenerate : tuple
-        even factors taken out of the margin: where one vanishes the sign is 0
+        even factors taken out of the margin: if one vanishes, the sign is 0
     at : Expr
         the k3 at which derivatives of U are taken: 1, -1 or k3
     implies : tuple
@@ -56,7 +53,7 @@ class Condition(Shown, Stored):
 
     @cached_property
     def symbols(self) -> frozenset[Symbol]:
-        """What the sign depends on."""
+        """The symbols that the sign depends on."""
         return frozenset(s for e in (self.margin, *self.degenerate) for s in e.free_symbols)
 
 
@@ -69,7 +66,7 @@ class Criterion(Shown, Stored):
     notion : Notion
         SPECTRAL, FORMAL, SECULAR or ENERGY_SINK
     alternatives : tuple
-        of tuples of Condition; () never holds, ((),) always
+        tuples of Condition, one of which has to hold; () never holds, ((),) always
     modulo : tuple of Expr
         integrals whose flow is divided out
 
@@ -88,15 +85,15 @@ class Criterion(Shown, Stored):
 
     @property
     def necessary(self) -> bool:
-        """Whether there is no stability where it does not hold; else nothing is known there."""
+        """Whether there is no stability if it does not hold; else nothing is known then."""
         return self.notion in (Notion.SPECTRAL, Notion.ENERGY_SINK)
 
 
 @checked
 def independent(criterion: Criterion, eq: Equilibrium) -> Criterion:
-    """The same criterion without the conditions that follow from the others.
+    """Return the same criterion without the conditions that follow from others.
 
-    What follows is proved with U and the relations of the equilibrium inserted.
+    That they follow is proved with U and the relations of the equilibrium inserted.
 
     Parameters
     ----------
@@ -111,12 +108,17 @@ def independent(criterion: Criterion, eq: Equilibrium) -> Criterion:
     Examples
     --------
     >>> import gyrostat as gs
+    >>> derivation = gs.derivation
     >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())
     >>> eq = gs.upright(top)
-    >>> criterion = gs.derivation.spectral_criterion(gs.derivation.linearize(eq))
-    >>> len(criterion.alternatives[0]), len(gs.derivation.independent(criterion, eq).alternatives[0])
-    (3, 1)
+    >>> linear = derivation.linearize(eq)
+    >>> criterion = derivation.spectral_criterion(linear)
+    >>> len(criterion.alternatives[0])
+    3
+    >>> len(derivation.independent(criterion, eq).alternatives[0])
+    1
     """
+    # first in the names of the family, where polynomials are short, then with U and relations inserted
     first = _independent(criterion, eq, lambda e: e, signs_over(eq, _expressions(criterion)))
     if not _inserts(eq) and len(criterion.alternatives) <= 1:
         return first                                     # one conjunction, reduced to the end
@@ -126,7 +128,7 @@ def independent(criterion: Criterion, eq: Equilibrium) -> Criterion:
 
 def all_positive(notion: Notion, named: Sequence[tuple[str, Expr]], eq: Equilibrium,
                  domain: Iterable[Expr]) -> Criterion:
-    """Where every expression, with the name of its source, is positive on a domain."""
+    """Return the criterion that every expression, with the name of its source, is positive on a domain."""
     signs = Signs.over([e for _, e in named], domain)
     left = reduced([Item(*signs.margin(e), True, name) for name, e in named], signs)
     return Criterion(notion, () if left is None else (tuple(condition_of(signs.ring, item, eq)
@@ -134,7 +136,7 @@ def all_positive(notion: Notion, named: Sequence[tuple[str, Expr]], eq: Equilibr
 
 
 def sources(eq: Equilibrium, margins: Iterable[Expr], criteria: Iterable[Criterion]) -> tuple[str, ...]:
-    """What each margin came from, "" for none; () where there are integrals."""
+    """Return what each margin came from, "" for none; () if there are integrals."""
     if eq.system.linear_integrals:
         return ()
     named: dict[Expr, str] = {}
@@ -145,7 +147,7 @@ def sources(eq: Equilibrium, margins: Iterable[Expr], criteria: Iterable[Criteri
 
 
 def _inserts(eq: Equilibrium) -> bool:
-    """Whether a given U or an eliminated parameter is inserted at the equilibrium."""
+    """Tell whether a given U or an eliminated parameter is inserted at the equilibrium."""
     potential = eq.system.potential
     return bool(potential and potential.given) or any(not jet(name.name) for name, _ in eq.relations)
 
@@ -173,7 +175,7 @@ def _inserted(signs: Signs, condition: Condition, values: Callable[[Expr], Expr]
 
 
 def condition_of(ring: Ring, item: Item, eq: Equilibrium) -> Condition:
-    """An item of a conjunction, in expressions."""
+    """Return an item of a conjunction as a condition, in expressions."""
     proofs = tuple(Implied(p.source, *(e if isinstance(e, Expr) else ring.expression(e)
                                        for e in (p.margin, p.square, p.factor, p.by)))
                    for p in item.implies)

@@ -1,4 +1,4 @@
-"""Energy-Casimir: multipliers, augmented Hamiltonian, its second variation on the symplectic slice."""
+"""The energy-Casimir method: multipliers, and the second variation on the symplectic slice."""
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -25,13 +25,13 @@ from ...notation import Stored, symbol
 class SecondVariation(Shown, Stored):
     """D²(h + ν·F) on the symplectic slice, F the Casimirs and the integrals that are critical there.
 
-    Or, of secular_variation, F the Casimirs on the orbit modulo the flows of the integrals.
+    From secular_variation, F are the Casimirs, and the space is the orbit modulo the flows of the integrals.
 
     Parameters
     ----------
     equilibrium : Equilibrium
     basis : ImmutableMatrix, shape (n, m)
-        columns span the slice
+        its columns span the slice
     matrix : ImmutableMatrix, shape (m, m)
         symmetric, in that basis
     multipliers : tuple of (F, ν)
@@ -58,9 +58,9 @@ class SecondVariation(Shown, Stored):
 
     @cached_property
     def minors(self) -> tuple[Expr, ...]:
-        """Leading principal minors, of order 1 to m.
+        """The leading principal minors, of order 1 to m.
 
-        All positive: positive definite, signs −, +, −, …: negative definite.
+        The form is positive definite if all are positive, negative definite if their signs are −, +, −, …
         """
         ring = signs_over(self.equilibrium, self.matrix.flat()).ring
         rows, bottom = ring.matrix(self.matrix.tolist())
@@ -78,7 +78,7 @@ class SecondVariation(Shown, Stored):
 
 
 def blocks(rows: Sequence[Sequence[Any]]) -> list[list[int]]:
-    """The indices of a symmetric matrix, those together that entries connect."""
+    """Return the indices of a symmetric matrix in blocks: those together that entries connect."""
     blocks: list[list[int]] = []
     for i, row in enumerate(rows):
         joined = [block for block in blocks if any(row[j] for j in block)]
@@ -89,10 +89,10 @@ def blocks(rows: Sequence[Sequence[Any]]) -> list[list[int]]:
 
 @checked
 def multipliers(eq: Equilibrium, functions: Sequence[Expr]) -> tuple[Expr, ...]:
-    """ν with ∇h + Σ νⱼ ∇Fⱼ = 0 at the equilibrium.
+    """Return the ν with ∇h + Σ νⱼ ∇Fⱼ = 0 at the equilibrium.
 
     Those left free are the symbols nu1, nu2, … of their functions. The last functions are determined first:
-    where an integral is critical, the multiplier of the first Casimir is free.
+    if an integral is critical, the multiplier of the first Casimir is free.
 
     Parameters
     ----------
@@ -133,7 +133,7 @@ def multipliers(eq: Equilibrium, functions: Sequence[Expr]) -> tuple[Expr, ...]:
 
 @checked
 def augmented_hessian(eq: Equilibrium, functions: Sequence[Expr]) -> ImmutableMatrix:
-    """D²(h + Σ νⱼ Fⱼ) at the equilibrium, ν its multipliers.
+    """Return D²(h + Σ νⱼ Fⱼ) at the equilibrium, ν its multipliers.
 
     Parameters
     ----------
@@ -147,13 +147,14 @@ def augmented_hessian(eq: Equilibrium, functions: Sequence[Expr]) -> ImmutableMa
 
     References
     ----------
-    Holm, Marsden, Ratiu & Weinstein, Phys. Rep. 123 (1985) 1-116.
+    As of `multipliers`; derived in docs/explanation/derivations/conditions.md, sections 5 and 6.
 
     Examples
     --------
     >>> import gyrostat as gs
     >>> scene = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())
-    >>> gs.derivation.augmented_hessian(gs.upright(scene), scene.space.casimirs)[0, 3]
+    >>> casimirs = scene.space.casimirs
+    >>> gs.derivation.augmented_hessian(gs.upright(scene), casimirs)[0, 3]
     -pi3_0/I3
     """
     return ImmutableMatrix(_augmented(eq, zip(functions, multipliers(eq, functions))))
@@ -169,7 +170,7 @@ def _augmented(eq: Equilibrium, with_multipliers: Iterable[tuple[Expr, Expr]]) -
 
 @checked
 def second_variation(eq: Equilibrium, integrals: bool = True) -> SecondVariation:
-    """Second variation of the augmented Hamiltonian at an equilibrium.
+    """Return the second variation of the augmented Hamiltonian at an equilibrium, on the symplectic slice.
 
     Parameters
     ----------
@@ -207,9 +208,7 @@ def second_variation(eq: Equilibrium, integrals: bool = True) -> SecondVariation
 
 @checked
 def secular_variation(eq: Equilibrium) -> SecondVariation:
-    """The second variation with the Casimirs alone, modulo the flows of the integrals.
-
-    Internal damping conserves the Casimirs, and not the integrals; their flows remain symmetries.
+    """Return the second variation with the Casimirs alone, modulo the flows of the integrals.
 
     Parameters
     ----------
@@ -237,7 +236,7 @@ def secular_variation(eq: Equilibrium) -> SecondVariation:
 
 def restricted(eq: Equilibrium, slice_: tuple[ImmutableMatrix, tuple[Expr, ...]],
                functions: tuple[Expr, ...]) -> SecondVariation:
-    """Of the Casimirs and integrals given, on a slice and modulo its symmetries."""
+    """Return the second variation with given Casimirs and integrals, on a slice modulo its symmetries."""
     (basis, symmetries), nu = slice_, multipliers(eq, functions)
     form, vectors = _augmented(eq, zip(functions, nu)), basis.tolist()
     ring = signs_over(eq, [entry for row in (*form, *vectors) for entry in row]).ring

@@ -1,6 +1,7 @@
-"""Conjunctions of polynomial inequalities.
+"""Reduces conjunctions of polynomial inequalities: drops what follows, and eliminates one multiplier.
 
-What always holds, what follows from what, and one multiplier eliminated.
+X > 0 follows from Y > 0 if X = S + T Y with T > 0 and S ≥ 0; each such identity is kept as a proof. An
+example is worked out in docs/explanation/derivations/conditions.md, section 7.
 """
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field, replace
@@ -18,7 +19,7 @@ from ...algebra.solving.margins import Signs
 class Item:
     """A condition while it is worked on: margin > 0 if it is strict, else margin ≥ 0.
 
-    The sign of the margin counts as 0 where a factor in degenerate, one of even power, vanishes.
+    The sign of the margin counts as 0 if a factor in degenerate, one of even power, vanishes.
     """
 
     margin: fmpq_mpoly
@@ -30,7 +31,10 @@ class Item:
 
 @dataclass(frozen=True)
 class Implied:
-    """margin = square + factor · by, factor > 0: the condition named source follows from by."""
+    """The proof, margin = square + factor · by with factor > 0, that a condition follows from by.
+
+    The source names the condition that follows.
+    """
 
     source: str
     margin: Any
@@ -40,7 +44,7 @@ class Implied:
 
 
 def reduced(items: Sequence[Item], signs: Signs) -> list[Item] | None:
-    """An equivalent conjunction without what is always true or implied; None if it can never hold."""
+    """Return an equivalent conjunction without what is always true or implied; None if it can never hold."""
     left = list(items)
     while True:
         found = _decided(left, signs)
@@ -53,7 +57,7 @@ def reduced(items: Sequence[Item], signs: Signs) -> list[Item] | None:
 
 
 def _decided(items: Iterable[Item], signs: Signs) -> list[Item] | None:
-    """Without conditions that always hold; None if one never does."""
+    """Return the items without those that always hold; None if one never does."""
     left: list[Item] = []
     for item in items:
         sign = signs.of(item.margin)
@@ -66,7 +70,7 @@ def _decided(items: Iterable[Item], signs: Signs) -> list[Item] | None:
 
 
 def _divided(items: list[Item], signs: Signs) -> list[Item]:
-    """Strict margins divided by those that are known to be positive with them; each even factor once."""
+    """Divide strict margins by others that are positive with them, and keep each even factor once."""
     result = list(items)
     for i, item in enumerate(result):
         for other in result[:i] + result[i + 1:]:
@@ -81,7 +85,7 @@ def _divided(items: list[Item], signs: Signs) -> list[Item]:
 
 
 def _once(item: Item, before: Sequence[Item]) -> Item:
-    """Without even factors that are not 0 where its margin, or one before it, is positive."""
+    """Return the item without even factors that are not 0 if its margin, or one before it, is positive."""
     known = [e for other in before if other.strict for e in other.degenerate]
     left: list[fmpq_mpoly] = []
     for e in item.degenerate:
@@ -91,10 +95,10 @@ def _once(item: Item, before: Sequence[Item]) -> Item:
 
 
 def _without_implied(items: list[Item], signs: Signs) -> list[Item]:
-    """Drop X where X = S + T Y with T > 0 and S a square, or X a square of Y: it follows from Y.
+    """Drop X if X = S + T Y with T > 0 and S a square, or X is a square of Y: it follows from Y.
 
-    Of strict ones S may also be a positive multiple of a third: I2 − I3 = (I1 − I3) + (I2 − I1).
-    A non-strict Y also holds where an even factor e of it vanishes. If e divides S, then X and Y together are
+    Among strict ones S may also be a positive multiple of a third: I2 − I3 = (I1 − I3) + (I2 − I1). A
+    non-strict Y also holds where an even factor e of it vanishes. If e divides S, then X and Y together are
     Y's margin ≥ 0 alone: where e = 0, X has the sign of the margin.
     """
     for x in items:
@@ -116,9 +120,9 @@ def _without_implied(items: list[Item], signs: Signs) -> list[Item]:
 
 
 def _is_square(x: fmpq_mpoly, y: fmpq_mpoly, ring: Ring) -> bool:
-    """Whether x = c y² with a number c > 0, by what the numbers in the coefficients are.
+    """Tell whether x = c y² with a number c > 0, by what the numbers in the coefficients are.
 
-    Factoring takes them for names.
+    Factoring takes algebraic numbers for names, and does not see it.
     """
     if all(g.free_symbols for g in ring.generators):
         return False
@@ -136,9 +140,9 @@ def _is_square(x: fmpq_mpoly, y: fmpq_mpoly, ring: Ring) -> bool:
 
 def _parts(x: fmpq_mpoly, y: fmpq_mpoly, signs: Signs, positive: Sequence[fmpq_mpoly]
            ) -> tuple[fmpq_mpoly, fmpq_mpoly] | None:
-    """S ≥ 0 and T > 0 with x = S + T y, where a generator enters both of them affinely and S not at all.
+    """Return S ≥ 0 and T > 0 with x = S + T y; a generator enters x and y affinely, and S not at all.
 
-    S may be one of those that are positive, times a number.
+    S may also be one of those that are positive, times a positive number.
     """
     for index, (n, m) in enumerate(zip(x.degrees(), y.degrees())):
         if n == m == 1:
@@ -151,13 +155,21 @@ def _parts(x: fmpq_mpoly, y: fmpq_mpoly, signs: Signs, positive: Sequence[fmpq_m
 
 
 def _multiple(x: fmpq_mpoly, y: fmpq_mpoly) -> bool:
-    """Whether x is y times a positive number."""
+    """Tell whether x is y times a positive number."""
     quotient, rest = divmod(x, y)
     return bool(not rest and quotient.is_constant() and quotient.leading_coefficient() > 0)
 
 
 def eliminate(items: list[Item], nu: Expr, signs: Signs) -> list[list[Item]]:
-    """∃ν: a ν² + b ν + c > 0, as alternatives without ν; where ν enters otherwise, ν = 0 is tried."""
+    """Eliminate ν from a conjunction: ∃ν: a ν² + b ν + c > 0 iff a > 0 or b² > 4ac, unless a = b = 0.
+
+    The maximum over ν is infinite if a > 0, and c − b²/(4a) if a < 0. The alternatives are without ν; if ν
+    enters in another way, ν = 0 is tried.
+
+    References
+    ----------
+    The maximum of a quadratic over ν: infinite if a > 0, else c − b²/(4a).
+    """
     index = signs.ring.generators.index(nu)
     with_nu = [item for item in items if any(p.degrees()[index] for p in (item.margin, *item.degenerate))]
     others = [item for item in items if item not in with_nu]
@@ -175,7 +187,10 @@ def eliminate(items: list[Item], nu: Expr, signs: Signs) -> list[list[Item]]:
 
 
 def merge(alternatives: list[list[Item]], signs: Signs) -> list[list[Item]]:
-    """X > 0 or X < 0, beside conditions that make X ≠ 0, is no condition; equal alternatives are one."""
+    """Merge alternatives: X > 0 or X < 0, beside conditions that make X ≠ 0, is no condition.
+
+    Equal alternatives are one.
+    """
     for n, one in enumerate(alternatives):
         for other in alternatives[n + 1:]:
             extra = [item for item in one if item not in other]

@@ -22,16 +22,16 @@ LAMBDA = symbol("lamda")
 
 @dataclass(frozen=True, repr=False)
 class Linearization(Shown, Stored):
-    """δẋ = J δx on the tangent space T of the coadjoint orbit.
+    """The linearised field δẋ = J δx on the tangent space T of the coadjoint orbit.
 
-    dU, d2U stand for the derivatives of U at the equilibrium; equilibrium.insert(…) inserts those of a given
-    U.
+    In its entries dU, d2U stand for the derivatives of U at the equilibrium; equilibrium.insert(…) inserts
+    those of a given U.
 
     Parameters
     ----------
     equilibrium : Equilibrium
     basis : ImmutableMatrix, shape (n, d)
-        columns span T
+        its columns span T
     matrix : ImmutableMatrix, shape (d, d)
         J on T in that basis [1/T]
 
@@ -50,7 +50,10 @@ class Linearization(Shown, Stored):
 
     @cached_property
     def coefficients(self) -> tuple[Expr, ...]:
-        """c2, c4, …: det(λ − J) = λᵈ + c2 λᵈ⁻² + …; the odd ones vanish, the field being Hamiltonian."""
+        """The coefficients c2, c4, … of det(λ − J) = λᵈ + c2 λᵈ⁻² + c4 λᵈ⁻⁴ + … on the orbit.
+
+        Those of odd order vanish, because J is Hamiltonian on the orbit: with λ, −λ is an eigenvalue.
+        """
         ring = signs_over(self.equilibrium, self.matrix.flat()).ring
         rows, bottom = ring.matrix(self.matrix.tolist())
         return tuple(ring.quotient(c, bottom**n)
@@ -58,7 +61,7 @@ class Linearization(Shown, Stored):
 
     @property
     def frequency_coefficients(self) -> tuple[Expr, ...]:
-        """(q,) of λ² + q or (p, q) of λ⁴ + p λ² + q.
+        """The coefficients (q,) of λ² + q, or (p, q) of λ⁴ + p λ² + q.
 
         Raises
         ------
@@ -73,13 +76,13 @@ class Linearization(Shown, Stored):
         return self.coefficients
 
     def characteristic_polynomial(self) -> Expr:
-        """λᵈ + c2 λᵈ⁻² + … in the symbol lamda."""
+        """Return the characteristic polynomial λᵈ + c2 λᵈ⁻² + … in the symbol lamda."""
         size = self.matrix.rows
         return LAMBDA**size + sum((c * LAMBDA ** (size - 2 * n) for n, c in enumerate(self.coefficients, 1)),
                                   S.Zero)
 
     def factors(self) -> tuple[tuple[Expr, int], ...]:
-        """The factors of the characteristic polynomial that contain λ, over the rationals.
+        """Return the factors of the characteristic polynomial that contain λ, over the rationals.
 
         Returns
         -------
@@ -92,10 +95,10 @@ class Linearization(Shown, Stored):
         return tuple((ring.expression(f), int(n)) for f, n in factors if f.degrees()[index])
 
     def eigenvalues(self) -> tuple[Expr, ...]:
-        """The d roots of the characteristic polynomial, d = 2, 4 or 6, in closed form.
+        """Return the d roots of the characteristic polynomial, d = 2, 4 or 6, in closed form.
 
-        Where q = r² no root is nested, λ = ±i (√(p + 2r) ± √(p − 2r))/2 (frequencies); at E1 and E2 p + 2r
-        is a square too.
+        If q = r² no root is nested: λ = ±i (√(p + 2r) ± √(p − 2r))/2, as (λ² + r)² = λ² (2r − p). At E1 and
+        E2 p + 2r is a square, too.
 
         Returns
         -------
@@ -109,9 +112,10 @@ class Linearization(Shown, Stored):
         Examples
         --------
         >>> import gyrostat as gs
-        >>> scene = gs.assemble(gs.Gyrostat(inertia=(1, 1, 1), gyrostatic_momentum=(0, 0, 0)),
-        ...                     gs.axial_potential())
-        >>> gs.derivation.linearize(gs.hanging(scene)).eigenvalues()[0]
+        >>> ball = gs.Gyrostat((1, 1, 1), (0, 0, 0))
+        >>> scene = gs.assemble(ball, gs.axial_potential())
+        >>> linear = gs.derivation.linearize(gs.hanging(scene))
+        >>> linear.eigenvalues()[0]
         I*(pi3_0/2 + sqrt(4*dU + pi3_0**2)/2)
         """
         if len(self.coefficients) == 3:
@@ -128,7 +132,13 @@ class Linearization(Shown, Stored):
         return tuple(s * I * (outer + t * inner) for s in (1, -1) for t in (1, -1))
 
     def frequencies(self) -> tuple[Expr, Expr] | None:
-        """(a, b) with λ = ±i (a ± b), b = 0 for d = 2; None where q is no square, or d = 6."""
+        """Return (a, b) with λ = ±i (a ± b), b = 0 if d = 2; None if q is no square, or d = 6.
+
+        Returns
+        -------
+        tuple of (Expr, Expr) or None
+            functions of the names, which may be imaginary at some numbers [1/T]
+        """
         if len(self.coefficients) == 3:
             return None
         if len(self.frequency_coefficients) == 1:
@@ -141,7 +151,7 @@ class Linearization(Shown, Stored):
 @checked
 @once
 def linearize(eq: Equilibrium) -> Linearization:
-    """The field linearised at an equilibrium, on the tangent space of its coadjoint orbit.
+    """Return the field linearised at an equilibrium, on the tangent space of its coadjoint orbit.
 
     Parameters
     ----------
@@ -154,11 +164,11 @@ def linearize(eq: Equilibrium) -> Linearization:
     Raises
     ------
     SingularOrbitError
-        k = 0 on e(3)*, M = 0 on so(3)*
+        k = 0 on e(3)*, M = 0 on so(3)*: the differentials of the Casimirs are dependent
 
     References
     ----------
-    Vera & Viguera (2003), §4.1.1 and §5.
+    Vera & Viguera (2003), §4.1.1 and §5; docs/explanation/derivations/conditions.md, sections 4 and 6.
 
     Examples
     --------
@@ -172,6 +182,7 @@ def linearize(eq: Equilibrium) -> Linearization:
     free = _free_coordinates(vectors)
     jacobian = rows_at_point(eq, eq.system.jet_jacobian)
     ring = signs_over(eq, [entry for row in (*jacobian, *vectors) for entry in row]).ring
+    # J maps T into itself: a column of J on T is read off in coordinates that belong to one vector each
     rows, bottom = ring.matrix([jacobian[i] for i in free])
     columns, _ = ring.matrix(vectors)                  # polynomial: the denominator is 1
     product = multiply(ring, rows, columns)
@@ -182,7 +193,7 @@ def linearize(eq: Equilibrium) -> Linearization:
 
 
 def _free_coordinates(basis: Sequence[Sequence[Expr]]) -> list[int]:
-    """For each basis vector the coordinate that no other vector has."""
+    """Return for each basis vector a coordinate in which all others are 0."""
     found: dict[int, int] = {}
     for i, row in enumerate(basis):
         vectors = [j for j, entry in enumerate(row) if entry]
@@ -192,12 +203,12 @@ def _free_coordinates(basis: Sequence[Sequence[Expr]]) -> list[int]:
 
 
 def _roots(factor: Sequence[Expr]) -> list[Expr]:
-    """The roots of a polynomial of degree up to three, by its coefficients."""
+    """Return the roots of a polynomial of degree up to three, by its coefficients."""
     return list(roots(Poly(factor, LAMBDA), multiple=True))
 
 
 def square_root(expression: Expr) -> Expr:
-    """√ of a fraction of polynomials, its square factors taken out (up to their sign)."""
+    """Return the root of a fraction of polynomials, its square factors taken out (up to their sign)."""
     ring = Ring([expression])
     top, bottom = ring.fraction(expression)
     top = ring.reduce(top)
@@ -214,6 +225,6 @@ def square_root(expression: Expr) -> Expr:
 
 
 def rational_root(expression: Expr) -> Expr | None:
-    """r with r² the expression, a fraction of polynomials; None where there is none."""
+    """Return r with r² the expression, a fraction of polynomials; None if there is none."""
     root = square_root(expression)
     return None if any(p.exp.q == 2 for p in root.atoms(Pow) if p.exp.is_Rational) else root

@@ -1,6 +1,6 @@
-"""What is unusual about the numbers of a scene or a state, each as a sentence.
+"""Says what is unusual about the numbers of a scene or a state, each time in a sentence.
 
-Not an error, and not to be overlooked.
+It is no error, and not to be overlooked.
 """
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
@@ -17,28 +17,31 @@ from ...notation import components
 from ..decision import Decision
 
 K = components("k")
-# three components rounded to doubles change |k|² by no more
+# |k|² changes by no more if the three components of a unit vector are rounded to doubles
 ROUNDED = Rational(1, 2**51)
 
 
 def scene_note(scene: System, numbers: Mapping[Symbol, Expr]) -> str:
-    """Of a scene at numbers, as far as they are given: inertia, then field; "" where nothing is unusual."""
+    """Return what is unusual about a scene at numbers, as far as they are given; "" if nothing is.
+
+    The inertia comes first, then the field.
+    """
     return ". ".join(filter(None, (inertia_note(scene.body, numbers), gradient_note(scene, numbers))))
 
 
 def noted(decision: Decision, scene: System) -> Decision:
-    """A decision of a scene of numbers, with what is unusual about them."""
+    """Return a decision about a scene of numbers, with what is unusual about them."""
     note = scene_note(scene, {})
     return replace(decision, note=note) if note else decision
 
 
 def state_note(scene: System, state: Sequence[Expr]) -> str:
-    """Of a scene of numbers and a state of it."""
+    """Return what is unusual about a scene of numbers and a state of it."""
     return ". ".join(filter(None, (scene_note(scene, {}), directions_note(scene, state))))
 
 
 def inertia_note(body: Gyrostat, numbers: Mapping[Symbol, Expr]) -> str:
-    """A sentence if the moments break the triangle inequality, as no rigid body's do."""
+    """Return a sentence if the moments break the triangle inequality: those of a rigid body do not."""
     if not _names(body.entries) <= numbers.keys():
         return ""
     if any(sign_of_constant(evaluate(excess, numbers)) == -1 for excess in _excesses(body)):
@@ -52,7 +55,7 @@ def inertia_note(body: Gyrostat, numbers: Mapping[Symbol, Expr]) -> str:
 
 
 def directions_note(scene: System, state: Sequence[Expr]) -> str:
-    """A sentence if the directions have other lengths, or another angle, than the scene gives them."""
+    """Return a sentence if the directions have other lengths, or another angle, than the scene gives them."""
     if not isinstance(scene.potential, CoupledPotential):
         return length_note(state[3:])
     at = dict(zip(scene.space.coordinates, state))
@@ -63,7 +66,7 @@ def directions_note(scene: System, state: Sequence[Expr]) -> str:
 
 
 def length_note(k: Sequence[Expr]) -> str:
-    """A sentence if k is no unit vector, even if its components are rounded ones."""
+    """Return a sentence if k is no unit vector, even if its components are rounded ones."""
     excess = Add(*(x**2 for x in k), -1)
     if not k or _rounded(excess):
         return ""
@@ -73,14 +76,14 @@ def length_note(k: Sequence[Expr]) -> str:
 
 
 def _rounded(excess: Expr) -> bool:
-    """Whether it is not proved to be more than numbers rounded to doubles leave."""
+    """Tell whether an excess is not proved to be more than numbers rounded to doubles leave."""
     return sign_of_constant(excess - ROUNDED) != 1 and sign_of_constant(-excess - ROUNDED) != 1
 
 
 def gradient_note(scene: System, numbers: Mapping[Symbol, Expr]) -> str:
-    """A sentence if U is c k·Ik, c > 0, but for a constant where abs(k) = 1.
+    """Return a sentence if U is c k·Ik, c > 0, up to a constant on abs(k) = 1.
 
-    The potential of a satellite, in a field fixed in space.
+    That is the potential of a satellite, in a field that is fixed in space.
 
     References
     ----------
@@ -111,9 +114,9 @@ def gradient_note(scene: System, numbers: Mapping[Symbol, Expr]) -> str:
 
 @lru_cache(maxsize=64)
 def _form(U: Expr) -> tuple[tuple[Expr, ...], Expr, Expr] | None:
-    """U where abs(k) = 1 as a constant + a k1² + b k2² + others.
+    """Return U on abs(k) = 1 as a constant + a k1² + b k2² + others: the other coefficients, a and b.
 
-    The coefficients that have to vanish, a and b; None where it is none.
+    The others have to vanish. None if U is not of this form.
     """
     if not U.is_polynomial(*K):
         return None
@@ -137,9 +140,10 @@ def _names(expressions: tuple[Expr, ...]) -> frozenset[Symbol]:
 
 @lru_cache(maxsize=256)
 def _excesses(body: Gyrostat) -> tuple[Expr, ...]:
-    """By how much each moment falls short of the sum of the others.
+    """Return by how much each moment falls short of the sum of the others.
 
-    Of a tensor, what is not negative where none exceeds it: tr I/2 − I is the matrix of the second moments.
+    For a tensor, return what is not negative if none exceeds it: tr I/2 − I is the matrix of the second
+    moments, with the eigenvalues (I2 + I3 − I1)/2, …, of which at most one is negative.
     """
     if isinstance(body.inertia, ImmutableMatrix):
         second = body.tensor.trace() * ImmutableMatrix(eye(3)) / 2 - body.tensor

@@ -1,4 +1,4 @@
-"""The numbers at which a report is asked: named, exact, positive where they must be, and on the family."""
+"""Reads the numbers at which a report is asked: named, exact, admissible, and on the family."""
 from collections.abc import Iterable, Mapping, Sequence
 from difflib import get_close_matches
 from typing import Any
@@ -21,13 +21,16 @@ K3 = symbol("k3")
 
 def exact_values(eq: Equilibrium, values: Mapping[str, Any], required: Sequence[str],
                  known: Sequence[str]) -> Point:
-    """The values as exact numbers, every one of them checked.
+    """Return the values as exact numbers, every one of them checked.
+
+    A doubt is noted in the point if it is not proved that a number is positive, or that the point is on the
+    family.
 
     Raises
     ------
     ValuesError
-        a name is missing or unknown, a number is not exact and finite, or the point is proved not to be on
-        the family; where that is not proved, the doubt of the point says so
+        a required name is missing, a name is unknown, a number is not exact and finite, or the point is
+        proved not to be on the family
     """
     require(values, Mapping, "what is given for the names")
     given = {str(name): value for name, value in values.items()}
@@ -51,9 +54,14 @@ def exact_values(eq: Equilibrium, values: Mapping[str, Any], required: Sequence[
 
 
 def is_positive(name: str, number: Expr) -> bool:
-    """Whether a number, for a name that is positive, is proved to be.
+    """Tell whether a number, for a name that is positive, is proved to be positive.
 
     ValuesError if it is proved not to be.
+
+    Raises
+    ------
+    ValuesError
+        it is proved not to be positive
     """
     sign = sign_of_constant(number)
     if sign in (0, -1):
@@ -74,8 +82,9 @@ def check_names(given: Iterable[str], names: Sequence[str], where: str) -> None:
 
 def check_family(eq: Equilibrium, given: Iterable[str], required: Sequence[str], parameters: Sequence[str],
                  how: str) -> None:
-    """Raise ValuesError unless the names are what a verdict on a family needs, without the name that the
-    others express.
+    """Raise ValuesError unless the names are what a verdict on a family needs.
+
+    Names that the others express are not among them.
     """
     refuse_any_direction(eq)
     known = [name for name in parameters if name not in eq.eliminated or name in required]
@@ -90,7 +99,7 @@ def check_family(eq: Equilibrium, given: Iterable[str], required: Sequence[str],
 
 
 def refuse_any_direction(eq: Equilibrium) -> None:
-    """Raise ScopeError of a family in k1, k2, k3: no range of them stays on the sphere."""
+    """Raise ScopeError for a family in k1, k2, k3: no range of them stays on the sphere."""
     if in_any_direction(eq):
         raise ScopeError(f"{eq.label} has the names k1, k2, k3 with |k| = 1, and ranges of them leave the "
                          "sphere: give a direction by stereographic coordinates u1, u2, "
@@ -98,7 +107,7 @@ def refuse_any_direction(eq: Equilibrium) -> None:
 
 
 def unknown(name: str, known: Sequence[str], where: str) -> str:
-    """What to say of a name that is not a parameter."""
+    """Return what to say about a name that is not a parameter."""
     other = {"pi3_0": "omega3_0", "omega3_0": "pi3_0"}
     close = [other[name]] if other.get(name) in known else get_close_matches(
         name, [*known, *(other[n] for n in known if n in other)], 1)
@@ -109,7 +118,10 @@ def unknown(name: str, known: Sequence[str], where: str) -> str:
 
 
 def _exists(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> str:
-    """What is not proved of it, "" if nothing."""
+    """Return what is not proved about the existence of the point, "" if nothing.
+
+    A point that is proved not to exist is refused.
+    """
     doubt = ""
     for expression in eq.existence():
         value = evaluate(expression, numbers)
@@ -137,8 +149,10 @@ def _exists(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> str:
 
 
 def _on_family(eq: Equilibrium, numbers: Point) -> str:
-    """Of |k| = 1 where k1, k2, k3 are given, of relations where no name was eliminated, and of that of a name
-    that is given: what is not proved.
+    """Return what is not proved about the point's place on the family, "" if nothing.
+
+    A point that is proved not to be on it is refused. Checked are abs(k) = 1 if k1, k2, k3 are given, the
+    relations in which no name was eliminated, and the relation of an eliminated name that is given.
     """
     doubt = _unit_vector(eq, numbers) if in_any_direction(eq) else ""
     for residual in eq.constraints:
@@ -158,7 +172,7 @@ def _on_family(eq: Equilibrium, numbers: Point) -> str:
 
 
 def _unit_vector(eq: Equilibrium, numbers: Point) -> str:
-    """Whether k is one: what is not proved of it."""
+    """Return what is not proved about abs(k) = 1, "" if nothing; refuse another length."""
     rational = numbers.rational_at(eq.point[3:])
     if rational is not None and sum(x * x for x in rational) == 1:
         return ""
@@ -175,7 +189,10 @@ def _unit_vector(eq: Equilibrium, numbers: Point) -> str:
 
 
 def _satisfied(eq: Equilibrium, name: Symbol, numbers: Mapping[Symbol, Expr]) -> str:
-    """The relation that expresses a name whose value is given: what is not proved of it."""
+    """Return what is not proved about the relation of an eliminated name that is given.
+
+    A value that is proved to be another is refused.
+    """
     needed = eq.insert(dict(eq.relations)[name])
     if missing := left_open(names_in([needed]), numbers):
         raise ValuesError(f"to check {name} on {eq.label}, {', '.join(missing)} is needed: give it, or "
@@ -195,14 +212,14 @@ def _satisfied(eq: Equilibrium, name: Symbol, numbers: Mapping[Symbol, Expr]) ->
 
 
 def names_needed(eq: Equilibrium, criteria: Iterable[Criterion]) -> tuple[str, ...]:
-    """Names that a verdict by these criteria needs."""
+    """Return the names that a verdict by these criteria needs."""
     conditions = [c for criterion in criteria for a in criterion.alternatives for c in a]
     expressions = [e for c in conditions for e in (c.margin, *c.degenerate)] + list(eq.existence())
     return names_in([*expressions, *eq.constraints])
 
 
 def names_accepted(eq: Equilibrium, required: Sequence[str]) -> tuple[str, ...]:
-    """Names that a verdict accepts, those of the scene and the family beside those that it needs."""
+    """Return the names that a verdict accepts: those it needs, and others of scene and family."""
     scene = [eq.system.hamiltonian, *eq.system.body.entries, *eq.system.body.gyrostatic_momentum,
              *eq.point, *eq.existence()]
     own = set(names_in([*scene, *(e for pair in eq.relations for e in pair)])) | set(required)
@@ -211,18 +228,18 @@ def names_accepted(eq: Equilibrium, required: Sequence[str]) -> tuple[str, ...]:
 
 
 def names_of_motion(eq: Equilibrium) -> tuple[str, ...]:
-    """Names that the motion near an equilibrium depends on, those that the others express left out."""
+    """Return the names that the motion near an equilibrium depends on, but for those that others express."""
     known = {name.name for name, _ in eq.relations}
     return tuple(name for name in names_accepted(eq, ()) if name not in known)
 
 
 def names_in(expressions: Iterable[Expr]) -> tuple[str, ...]:
-    """Names of all symbols, sorted."""
+    """Return the names of all symbols, sorted."""
     return tuple(sorted({s.name for e in expressions for s in e.free_symbols}))
 
 
 def left_open(names: Iterable[str], numbers: Mapping[Symbol, Expr]) -> list[str]:
-    """The names that have no number."""
+    """Return the names that have no number."""
     return [name for name in names if symbol(name) not in numbers]
 
 

@@ -1,4 +1,7 @@
-"""A body at rest in the frame of two directions: the stiffness K of its orientation, and the gyroscopic g."""
+"""The linearised motion of a body at rest in the frame of two directions: stiffness and gyroscopic term.
+
+It is derived from the amended potential V = U − ½ β·Iβ of the orientation.
+"""
 from typing import NamedTuple
 
 from sympy import Expr, ImmutableMatrix, zeros
@@ -12,17 +15,17 @@ from ...mechanics.scenes.lie_poisson import hat
 
 
 class OrientationForm(NamedTuple):
-    """I θ̈ + g × θ̇ + K θ = 0, the linearised motion of a body turned by a small θ.
+    """The linearised motion I θ̈ + g × θ̇ + K θ = 0 of a body that is turned by a small θ.
 
     Parameters
     ----------
     stiffness : ImmutableMatrix, shape (3, 3)
-        K, symmetric: the second variation of V = U − ½ β·Iβ; positive definite: the energy is least, the
-        equilibrium stable [M L²/T²]
+        K, symmetric, the second variation of V = U − ½ β·Iβ; if it is positive definite, the energy is least,
+        and the equilibrium is stable [M L²/T²]
     gyroscopic : tuple of Expr, shape (3,)
         g [M L²/T]
     inertia : ImmutableMatrix, shape (3, 3)
-        [M L²]
+        I [M L²]
     """
 
     stiffness: ImmutableMatrix
@@ -31,7 +34,10 @@ class OrientationForm(NamedTuple):
 
     @property
     def coefficients(self) -> tuple[Expr, Expr, Expr]:
-        """c2, c1, c0 of λ⁶ + c2 λ⁴ + c1 λ² + c0, det(λ² I + gλ + K) over det I."""
+        """The coefficients c2, c1, c0 of λ⁶ + c2 λ⁴ + c1 λ² + c0, which is det(λ² I + λ hat(g) + K)/det I.
+
+        They follow from det(A + hat(v)) = det A + v·A v for a symmetric A.
+        """
         K, inertia, g = self.stiffness, self.inertia, ImmutableMatrix(self.gyroscopic)
         whole = inertia.det(method="berkowitz")
         c2 = (inertia.adjugate() * K).trace() + g.dot(inertia * g)
@@ -40,20 +46,31 @@ class OrientationForm(NamedTuple):
 
 
 def rests_in_frame(eq: Equilibrium) -> bool:
-    """Whether it is an equilibrium in two directions, not parallel: the body is at rest in their frame."""
+    """Tell whether it is in two directions that are not parallel: the body is at rest in their frame."""
     return eq.system.coupled and len(eq.point) == 9 and parallel(eq) is None
 
 
 @once
 def orientation_form(eq: Equilibrium) -> OrientationForm:
-    """K and g of an equilibrium in two directions.
+    """Return K and g of an equilibrium in two directions.
 
-    K = Σ_a [V_a aᵀ − (V_a·a) 1] + Σ_ab hat(a)ᵀ V_ab hat(b), V = U − ½ β·Iβ; with m = l − Iβ and
-    N = Σ (∂m/∂a) hat(a), hat(g) = N − Nᵀ − hat(m).
+    K = Σ_a [V_a aᵀ − (V_a·a) 1] + Σ_ab hat(a)ᵀ V_ab hat(b), where V = U − ½ β·Iβ, a and b are the two
+    directions and indices of V are derivatives. With m = l − Iβ and N = Σ (∂m/∂a) hat(a), hat(g) = N − Nᵀ −
+    hat(m).
+
+    Parameters
+    ----------
+    eq : Equilibrium
+        of a scene in two directions
+
+    Returns
+    -------
+    OrientationForm
 
     References
     ----------
-    Derived; Simo, Lewis & Marsden, Arch. Rational Mech. Anal. 115 (1991) 15-59, for the amended potential V.
+    Derived in docs/explanation/derivations/satellite.md, sections 1 to 4; Simo, Lewis & Marsden, Arch.
+    Rational Mech. Anal. 115 (1991) 15-59, for the amended potential V.
     """
     potential, body = eq.system.potential, eq.system.body
     assert isinstance(potential, CoupledPotential)
@@ -69,7 +86,10 @@ def orientation_form(eq: Equilibrium) -> OrientationForm:
 
 
 def stiffness_with(eq: Equilibrium, beta: ImmutableMatrix) -> ImmutableMatrix:
-    """K of an equilibrium for a coupling β, that of the field or another that differs by a constant."""
+    """Return the K of an equilibrium for a coupling β: that of the field, or another.
+
+    Another one differs by a constant, as β − ω if ω·π is conserved.
+    """
     potential = eq.system.potential
     assert isinstance(potential, CoupledPotential)
     V = potential.expression - beta.dot(eq.system.body.tensor * beta) / 2
@@ -83,6 +103,6 @@ def stiffness_with(eq: Equilibrium, beta: ImmutableMatrix) -> ImmutableMatrix:
         for j, b in enumerate(vectors):
             block = ImmutableMatrix([row[3 * j:3 * j + 3] for row in bends[3 * i:3 * i + 3]])
             K += hat(a).T * block * hat(b)
-    # symmetric at an equilibrium
+    # symmetric at an equilibrium: the torque Σ a × V_a vanishes; half of the entries are enough
     half = {(i, j): lowest_terms(K[i, j]) for i in range(3) for j in range(i + 1)}
     return ImmutableMatrix(3, 3, lambda i, j: half[max(i, j), min(i, j)])

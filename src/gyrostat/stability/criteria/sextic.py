@@ -1,4 +1,8 @@
-"""The criterion of a polynomial in λ² of any degree up to three, factor by factor."""
+"""The spectral criterion for a polynomial in λ² of degree up to three, factor by factor over the rationals.
+
+All λ are imaginary if all roots x = λ² of every factor are real and at most 0: Descartes' rule of signs with
+the discriminant.
+"""
 from collections.abc import Sequence
 
 from flint import fmpq_mpoly
@@ -9,14 +13,14 @@ from ...algebra.solving.margins import Signs
 from ...notation import symbol
 from .implication import Item
 
-SQUARE = symbol("lamda")                                   # λ², in a ring of its own
+SQUARE = symbol("lamda")                                   # stands for λ², in a ring of its own
 Fraction = tuple[fmpq_mpoly, fmpq_mpoly]
 
 
 def factors_in_squares(coefficients: Sequence[Expr]) -> list[tuple[Expr, ...]]:
-    """Those of x³ + c2 x² + c1 x + c0, each by its coefficients, that of the highest power first.
+    """Return the factors of x³ + c2 x² + c1 x + c0 over the rationals, each as often as it occurs.
 
-    Over the rationals, each as often as it occurs.
+    A factor is given by its coefficients, that of the highest power first.
     """
     size = len(coefficients)
     whole = SQUARE**size + sum(c * SQUARE ** (size - n) for n, c in enumerate(coefficients, 1))
@@ -30,7 +34,7 @@ def factors_in_squares(coefficients: Sequence[Expr]) -> list[tuple[Expr, ...]]:
 
 
 def items_of_factors(factors: Sequence[tuple[Expr, ...]], signs: Signs) -> list[Item]:
-    """What has to be ≥ 0 for all roots x of every factor to be real and ≤ 0."""
+    """Return what has to be ≥ 0 for all roots x of every factor to be real and ≤ 0."""
     items: list[Item] = []
     for first, *others in dict.fromkeys(factors):
         bottom = signs.ring.numerator(first)
@@ -39,13 +43,18 @@ def items_of_factors(factors: Sequence[tuple[Expr, ...]], signs: Signs) -> list[
 
 
 def items_of_monic(monic: list[Fraction], signs: Signs) -> list[Item]:
-    """x + q; x² + p x + q; x³ + a x² + b x + c over one denominator, its roots real iff Δ ≥ 0."""
+    """Return what has to be ≥ 0 for all roots of a monic polynomial to be real and ≤ 0.
+
+    It is x + q, x² + p x + q, or x³ + a x² + b x + c over one denominator: real roots are ≤ 0 iff no
+    coefficient is negative, and the three roots of a cubic are real iff its discriminant Δ ≥ 0 (see
+    docs/explanation/derivations/satellite.md, section 4).
+    """
     names = {1: "q", 2: "pq", 3: "abc"}[len(monic)]
     items = [Item(*signs.split(*c), False, name) for c, name in zip(monic, names)]
     if len(monic) == 2:
         (p, a), (q, b) = monic
         factors = items[0].margin, *items[0].degenerate
-        # q = 0: the discriminant is p²
+        # if q = 0, the discriminant is p², and needs no factoring
         square = signs.ring.one, tuple(e for e in factors if not e.is_constant())
         discriminant = signs.split(p**2 * b - 4 * q * a**2, a**2 * b) if items[1].margin else square
         items.append(Item(*discriminant, False, "p² − 4q"))

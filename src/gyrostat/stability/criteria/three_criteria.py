@@ -1,4 +1,4 @@
-"""The three criteria: the spectral, the formal and the secular, each as inequalities."""
+"""Makes the spectral, the formal and the secular criterion, by discriminants and by minors."""
 from collections.abc import Iterable, Sequence
 
 from sympy import Expr, Matrix, S
@@ -18,15 +18,16 @@ from .linearization import Linearization
 from .orientation_form import orientation_form, rests_in_frame
 from .sextic import factors_in_squares, items_of_factors, items_of_monic
 
-Minor = tuple[str, int, Expr]                              # its name, its order, what it is
+Minor = tuple[str, int, Expr]                              # its name, its order, the minor itself
 
 
 @checked
 def spectral_criterion(linearization: Linearization) -> Criterion:
-    """Necessary for stability: no eigenvalue has a positive real part.
+    """Return the criterion that no eigenvalue has a positive real part, necessary for stability.
 
-    λ⁴ + pλ² + q: p ≥ 0, q ≥ 0, p² − 4q ≥ 0, each as it is; λ² + q: q ≥ 0. Of λ⁶ + … each factor in x = λ² has
-    real roots ≤ 0: x³ + a x² + b x + c iff a, b, c ≥ 0 and its discriminant Δ ≥ 0.
+    For λ² + q it is q ≥ 0. For λ⁴ + pλ² + q it is p ≥ 0, q ≥ 0, p² − 4q ≥ 0: both roots x = λ² are real and ≤
+    0. For λ⁶ + … each factor over the rationals in x has real roots ≤ 0; those of x³ + a x² + b x + c are so
+    iff a, b, c ≥ 0 and the discriminant Δ ≥ 0.
 
     Parameters
     ----------
@@ -44,16 +45,20 @@ def spectral_criterion(linearization: Linearization) -> Criterion:
 
     References
     ----------
-    Vera & Viguera (2003), §5.
+    Vera & Viguera (2003), §5; derived in docs/explanation/derivations/conditions.md, section 4.
 
     Examples
     --------
     >>> import gyrostat as gs
+    >>> derivation = gs.derivation
     >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())
-    >>> linear = gs.derivation.linearize(gs.upright(top))
-    >>> ((p, q, discriminant),) = gs.derivation.spectral_criterion(linear).alternatives
-    >>> discriminant.margin, discriminant.degenerate
-    (-4*I1*dU + l**2 + 2*l*pi3_0 + pi3_0**2, (2*I1*pi3_0 - I3*l - I3*pi3_0,))
+    >>> linear = derivation.linearize(gs.upright(top))
+    >>> criterion = derivation.spectral_criterion(linear)
+    >>> ((p, q, discriminant),) = criterion.alternatives
+    >>> discriminant.margin
+    -4*I1*dU + l**2 + 2*l*pi3_0 + pi3_0**2
+    >>> discriminant.degenerate
+    (2*I1*pi3_0 - I3*l - I3*pi3_0,)
     """
     eq = linearization.equilibrium
     if len(linearization.coefficients) == 3:
@@ -68,12 +73,13 @@ def spectral_criterion(linearization: Linearization) -> Criterion:
 
 @checked
 def formal_criterion(variation: SecondVariation) -> Criterion:
-    """Sufficient for stability: the second variation is definite.
+    """Return the criterion that the second variation is definite, sufficient for stability.
 
-    Of either sign, for some value of the free multiplier. The leading principal minors decide; a free
-    multiplier enters one margin, quadratically, and is eliminated: a ν² + b ν + c takes a positive value
-    iff a > 0 or b² > 4ac. A body in a field without integrals, in a direction where the second variation does
-    not split: trace and determinant of D²U_c on the plane across k (AmendedForm) decide, named t and s.
+    It may be of either sign, for some value of the free multiplier. The leading principal minors decide. A
+    free multiplier ν enters one margin, quadratically, and is eliminated: a ν² + b ν + c takes a positive
+    value if a > 0 or b² > 4ac. For a body in a field without integrals, in a direction in which the second
+    variation does not split, trace and determinant of D²U_c on the plane across k (AmendedForm) decide, named
+    t and s.
 
     Parameters
     ----------
@@ -86,7 +92,8 @@ def formal_criterion(variation: SecondVariation) -> Criterion:
 
     References
     ----------
-    Holm, Marsden, Ratiu & Weinstein (1985); elimination: the maximum of a quadratic.
+    Holm, Marsden, Ratiu & Weinstein, Phys. Rep. 123 (1985) 1-116; elimination: the maximum of a quadratic.
+    Derived in docs/explanation/derivations/conditions.md, sections 5 and 7.
 
     Examples
     --------
@@ -105,7 +112,7 @@ def formal_criterion(variation: SecondVariation) -> Criterion:
     others = dict.fromkeys(variation.free[1:], S.Zero)
     minors = _minors([(n, minor.xreplace(others)) for n, minor in enumerate(variation.minors, 1)])
     if sum(x != 0 for x in variation.equilibrium.point[3:]) > 1:
-        signs = _signs(variation, minors)                  # k·Ik is positive, whatever it looks like
+        signs = _signs(variation, minors)                  # k·Ik > 0 is assumed: no polynomial shows it
     else:
         signs = signs_over(variation.equilibrium, [minor for _, _, minor in minors])
     return _definite(variation, Notion.FORMAL, minors, signs, (1, -1))
@@ -113,10 +120,10 @@ def formal_criterion(variation: SecondVariation) -> Criterion:
 
 @checked
 def secular_criterion(variation: SecondVariation) -> Criterion:
-    """Sufficient for stability under internal damping: the second variation is positive definite.
+    """Return the criterion that the second variation is positive definite, sufficient under internal damping.
 
-    Damping takes energy: where it is not a minimum on the orbit, it is lost. Where the damping reaches every
-    motion and the second variation is not degenerate, the criterion is necessary too.
+    Damping takes energy: an equilibrium that is not a minimum on the orbit is lost. If the damping reaches
+    every motion and the second variation is not degenerate, the criterion is necessary, too.
 
     Parameters
     ----------
@@ -130,14 +137,18 @@ def secular_criterion(variation: SecondVariation) -> Criterion:
 
     References
     ----------
-    Kelvin & Tait, Treatise on Natural Philosophy (1879), §345; Bloch, Krishnaprasad, Marsden & Ratiu (1994).
+    Kelvin & Tait, Treatise on Natural Philosophy (1879), §345; Bloch, Krishnaprasad, Marsden & Ratiu,
+    Ann. Inst. H. Poincaré Anal. Non Linéaire 11 (1994) 37-90.
 
     Examples
     --------
     >>> import gyrostat as gs
-    >>> spin = gs.principal_rotation(gs.assemble(gs.Gyrostat(gyrostatic_momentum=(0, 0, 0))), 3)
-    >>> criterion = gs.derivation.secular_criterion(gs.derivation.secular_variation(spin))
-    >>> print(gs.derivation.independent(criterion, spin))
+    >>> derivation = gs.derivation
+    >>> body = gs.Gyrostat(gyrostatic_momentum=(0, 0, 0))
+    >>> spin = gs.principal_rotation(gs.assemble(body), 3)
+    >>> variation = derivation.secular_variation(spin)
+    >>> criterion = derivation.secular_criterion(variation)
+    >>> print(derivation.independent(criterion, spin))
     I₃ > I₁ and I₃ > I₂
     """
     minors = across(variation) or of_stiffness(variation)
@@ -146,16 +157,16 @@ def secular_criterion(variation: SecondVariation) -> Criterion:
 
 
 def positive(eq: Equilibrium) -> tuple[Expr, ...]:
-    """What is positive at every equilibrium: k·Ik, where there is a field."""
+    """Return what is positive at every equilibrium: k·Ik, if there is a field of one direction."""
     k = Matrix(() if eq.system.coupled else eq.point[3:])
     return (eq.at_point(k.dot(eq.system.body.tensor * k)),) if k else ()
 
 
 def across(variation: SecondVariation) -> list[Minor]:
-    """Of a body in a field without integrals: trace and determinant of D²U_c on the plane across k.
+    """Return trace and determinant of D²U_c on the plane across k, for a body in a field without integrals.
 
-    In any basis. The second variation has D²U_c beside a positive form of the velocities. Where k is along an
-    axis or the second variation splits, its own minors are shorter.
+    They are the same in any basis. The second variation has D²U_c beside a positive form of the velocities.
+    If k is along an axis or the second variation splits, its own minors are shorter, and the list is empty.
     """
     eq = variation.equilibrium
     system, body, k = eq.system, eq.system.body, eq.point[3:]
@@ -172,7 +183,7 @@ def across(variation: SecondVariation) -> list[Minor]:
 
 
 def stiffness(variation: SecondVariation) -> Matrix | None:
-    """Of a body at rest in the frame of two directions, without integrals: K.
+    """Return K for a body at rest in the frame of two directions, without integrals; else None.
 
     The second variation is a positive form of the momenta beside K.
     """
@@ -183,21 +194,22 @@ def stiffness(variation: SecondVariation) -> Matrix | None:
 
 
 def of_stiffness(variation: SecondVariation) -> list[Minor]:
-    """The leading principal minors of each block of K."""
+    """Return the leading principal minors of each block of K."""
     K = stiffness(variation)
     return [] if K is None else minors_of_stiffness(K)
 
 
 def minors_of_stiffness(K: Matrix) -> list[Minor]:
-    """The leading principal minors of each block of K, or of a part of it."""
+    """Return the leading principal minors of each block of K, or of a part of it."""
     return [(f"minor {n} of K", n, K.extract(block[:n], block[:n]).det(method="berkowitz"))
             for block in blocks(K.tolist()) for n in range(1, len(block) + 1)]
 
 
 def _on_sphere(variation: SecondVariation) -> tuple[Expr, ...]:
-    """Off the principal axes of a free body: trace and determinant on the plane across M, in any basis.
+    """Return trace and determinant on the plane across M, for a free body off its principal axes.
 
-    A = I⁻¹ − ν: tr A M² − M·A M, and Δ = M·adj(A) M. In the coordinates of a basis they have poles.
+    They are the same in any basis, while those of a basis of rational vectors have poles. With A = I⁻¹ − ν
+    they are tr A M² − M·A M and M·adj(A) M, each M² times the invariant.
     """
     eq = variation.equilibrium
     M = [p + l for p, l in zip(eq.point, eq.system.body.gyrostatic_momentum)]
@@ -219,7 +231,7 @@ def _signs(variation: SecondVariation, minors: Sequence[Minor]) -> Signs:
 
 def _definite(variation: SecondVariation, notion: Notion, minors: Sequence[Minor], signs: Signs,
               allowed: Sequence[int]) -> Criterion:
-    """Definite of a sign that is allowed, by minors with their names and orders."""
+    """Return the criterion that a form is definite with an allowed sign, by minors with names and orders."""
     ring = signs.ring
     fractions = [(name, n, ring.fraction(minor)) for name, n, minor in minors]
     alternatives: list[list[Item]] = []

@@ -1,4 +1,4 @@
-"""Truth of a criterion: an OR of ANDs of comparisons with 0, answered exactly, in floats or over boxes."""
+"""Tells whether a criterion, an OR of ANDs of comparisons with 0, holds: exactly, in floats or over boxes."""
 import operator
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import Any, TypeVar
@@ -9,17 +9,17 @@ from ...algebra.reals.exact import evaluate, sign_of_constant
 from .conditions import Condition, Criterion
 
 T = TypeVar("T")
-Relation = Callable[[Any, Any], Any]                   # gt, ge, eq or ne of operator
-Compare = Callable[[Expr, Relation], T]                # whether an expression stands in a relation to 0
+Relation = Callable[[Any, Any], Any]                   # gt, ge, eq or ne from operator
+Compare = Callable[[Expr, Relation], T]                # tells whether an expression stands in a relation to 0
 Joined = Callable[[Iterable[T]], T]
 
 
 def truth(criterion: Criterion, compare: Compare[T], every: Joined[T], some: Joined[T]) -> T:
-    """What a criterion says where its comparisons with 0 have the answers given.
+    """Return what a criterion says if its comparisons with 0 have given answers.
 
-    A strict condition holds where its margin is positive and no even factor is 0, another one where its
-    margin is not negative or an even factor is 0. The answers may be True, False and None, arrays, or
-    functions that write them.
+    A strict condition holds if its margin is positive and no even factor is 0, another one if its margin is
+    not negative or an even factor is 0. The answers may be True, False and None, arrays, or functions that
+    write them.
 
     Parameters
     ----------
@@ -36,8 +36,11 @@ def truth(criterion: Criterion, compare: Compare[T], every: Joined[T], some: Joi
     Examples
     --------
     >>> import gyrostat as gs
-    >>> report = gs.analyze(gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())))
-    >>> truth(report.sufficient, lambda margin, relation: relation(1, 0), all, any)
+    >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())
+    >>> report = gs.analyze(gs.upright(top))
+    >>> def compare(margin, relation):
+    ...     return relation(1, 0)
+    >>> truth(report.sufficient, compare, all, any)
     True
     """
     return some(every(condition_truth(condition, compare, every, some) for condition in alternative)
@@ -45,7 +48,7 @@ def truth(criterion: Criterion, compare: Compare[T], every: Joined[T], some: Joi
 
 
 def condition_truth(condition: Condition, compare: Compare[T], every: Joined[T], some: Joined[T]) -> T:
-    """What one condition says, as truth of a criterion."""
+    """Return what one condition says, as truth does for a criterion."""
     if condition.strict:
         return every(_answers(condition, compare, operator.gt, operator.ne))
     return some(_answers(condition, compare, operator.ge, operator.eq))
@@ -59,9 +62,9 @@ def _answers(condition: Condition, compare: Compare[T], of_margin: Relation,
 
 
 def holds(criterion: Criterion, numbers: Mapping[Symbol, Expr], margins: dict[Expr, Expr]) -> bool | None:
-    """Truth of a criterion at exact numbers, None where it is not proved.
+    """Return the truth of a criterion at exact numbers, None if it is not proved.
 
-    The values of its margins are entered.
+    The values of its margins are entered into the last argument.
     """
     def compare(expression: Expr, relation: Relation) -> bool | None:
         if relation in (operator.gt, operator.ge):
@@ -74,21 +77,21 @@ def holds(criterion: Criterion, numbers: Mapping[Symbol, Expr], margins: dict[Ex
 
 
 def every_proved(answers: Iterable[bool | None]) -> bool | None:
-    """Whether all hold; None where that is not proved."""
+    """Tell whether all hold; None if that is not proved."""
     given = list(answers)
     return False if False in given else None if None in given else True
 
 
 def some_proved(answers: Iterable[bool | None]) -> bool | None:
-    """Whether one holds; None where that is not proved."""
+    """Tell whether one holds; None if that is not proved."""
     given = list(answers)
     return True if True in given else None if None in given else False
 
 
 def sign_at(condition: Condition, numbers: Mapping[Symbol, Expr], margins: dict[Expr, Expr]) -> int | None:
-    """Sign of the margin at exact numbers, 0 where an even factor vanishes, None where it is not proved.
+    """Return the sign of the margin at exact numbers, 0 if an even factor vanishes, None if it is not proved.
 
-    Values go into margins.
+    The value of the margin is entered into the last argument.
     """
     factors = [sign_of_constant(evaluate(factor, numbers)) for factor in condition.degenerate]
     if 0 in factors:
@@ -100,5 +103,5 @@ def _margin_sign(margin: Expr, numbers: Mapping[Symbol, Expr], margins: dict[Exp
     if margin not in margins:
         margins[margin] = evaluate(margin, numbers)
     if (found := sign_of_constant(margins[margin])) == 0:
-        margins[margin] = S.Zero                       # in whatever terms it came out
+        margins[margin] = S.Zero                       # a proved 0 may have come out as a sum of roots
     return found

@@ -1,4 +1,4 @@
-"""Dual spin with damping in both bodies: the energy-sink condition, to first order in weak dampers."""
+"""The energy-sink condition of a dual spinner with damping in both bodies, to first order in weak dampers."""
 from typing import Any
 
 from sympy import Add, S
@@ -17,23 +17,24 @@ from ..theorems.momentum_sphere import sphere_of
 @checked
 def energy_sink_criterion(eq: Equilibrium, rotor: Rotor, *, platform_damping: Any,
                           rotor_damping: Any) -> Criterion:
-    """Whether a dual spinner keeps its axis with weak dampers in the platform and in the rotor.
+    """Return the condition that a dual spinner keeps its axis with weak dampers in platform and rotor.
 
-    P (c_p (P − A Ω_p) + c_r (P − A Ω_r)) > 0, with M = P along the axis, the transverse moment A, the rates
-    Ω_p and Ω_r of the two in space: Ė_p/(λ₀ − Ω_p) + Ė_r/(λ₀ − Ω_r) < 0 about the nutation λ₀ = P/A > 0. Of
-    first order in the dampers, hence no verdict. Proved for viscous spheres of any size: where both terms
-    have one sign, it holds, or fails, whatever the dampers.
+    It is P (c_p (P − A Ω_p) + c_r (P − A Ω_r)) > 0, with M = P along the axis, the transverse moment A, and
+    the rates Ω_p and Ω_r of the two in space. It is Ė_p/(λ₀ − Ω_p) + Ė_r/(λ₀ − Ω_r) < 0 about the nutation λ₀
+    = P/A > 0, with the powers Ė = −c (λ₀ − Ω)². It is of first order in the dampers, hence no verdict. It is
+    proved for viscous spheres of any size: if both terms have one sign, it holds, or fails, whatever the
+    dampers.
 
     Parameters
     ----------
     eq : Equilibrium
         of principal_rotation, about the axis of the rotor; the whole a body of revolution about it
     rotor : Rotor
-        the one that the body has, and of revolution, as a wheel is; its rate is ω + rate, of a free one
-        momentum/axial
+        the one that the body has, and of revolution, as a wheel is; its rate in space is ω + rate, or
+        momentum/axial if it turns freely
     platform_damping, rotor_damping : Expr, number or text
-        c_p and c_r, not negative and not both 0: the power that a damper takes is c ε² where its body wobbles
-        at the rate ε against what is in it; what counts is their ratio [M L²/T]
+        c_p and c_r, not negative and not both 0: a damper takes the power c ε² if its body wobbles at the
+        rate ε against what is in it; what counts is their ratio [M L²/T]
 
     Returns
     -------
@@ -55,10 +56,12 @@ def energy_sink_criterion(eq: Equilibrium, rotor: Rotor, *, platform_damping: An
     --------
     >>> import gyrostat as gs
     >>> wheel = gs.Rotor((0, 0, 1), "40 kg m^2", rate="60 rpm")
-    >>> body = gs.gyrostat_with_rotors(["1000 kg m^2", "1000 kg m^2", "200 kg m^2"], [wheel], lumped=True)
+    >>> moments = ["1000 kg m^2", "1000 kg m^2", "200 kg m^2"]
+    >>> body = gs.gyrostat_with_rotors(moments, [wheel], lumped=True)
     >>> despun = gs.equilibrium(gs.assemble(body), (0, 0, 0))
-    >>> c_p, c_r = gs.symbol("c_p"), gs.symbol("c_r")
-    >>> print(gs.derivation.energy_sink_criterion(despun, wheel, platform_damping=c_p, rotor_damping=c_r))
+    >>> dampers = {"platform_damping": gs.symbol("c_p"),
+    ...            "rotor_damping": gs.symbol("c_r")}
+    >>> print(gs.derivation.energy_sink_criterion(despun, wheel, **dampers))
     c_p > 24 c_r
     """
     damping = [exact_expression(c, name) for name, c in (("platform_damping", platform_damping),

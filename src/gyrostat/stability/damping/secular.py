@@ -1,7 +1,7 @@
-"""Internal damping: whether an equilibrium stays stable when the body loses energy inside.
+"""Tells whether an equilibrium stays stable if the body loses energy inside, by Kelvin, Tait and Chetaev.
 
-Fuel that sloshes, a nutation damper, joints that give: they take energy, keep the Casimirs, and leave a body
-that turns like a rigid one alone. What is stable then is a minimum of the energy on the orbit.
+Fuel that sloshes, a nutation damper, joints that give: they take energy, keep the Casimirs, and do not act on
+a body that turns like a rigid one. What is stable then is a minimum of the energy on the orbit.
 """
 from collections import Counter
 from collections.abc import Mapping
@@ -40,12 +40,14 @@ KEEPS = settled(True, KEPT, Rung.SECOND_VARIATION, Notion.SECULAR, growing=0)
 class Secular:
     """The second variation with the Casimirs alone, and what it says under internal damping.
 
-    Positive definite: stable, asymptotically on its orbit if the damping reaches all motions (is pervasive).
-    Not degenerate, not positive, and the damping pervasive: unstable, with as many growing modes as the
-    second variation has negative squares (Kelvin, Tait, Chetaev). Damping by all three components of ω
-    reaches every motion but in two cases. The body turns about k with M along k, and no torque acts to first
-    order, so that k moves by itself: M is that of a free body, and its growing modes are all. Or a body of
-    revolution is at rest at a tilt: it may begin to spin about its axis, and nothing stops it.
+    If it is positive definite, the equilibrium is stable, asymptotically on its orbit if the damping reaches
+    all motions (is pervasive). If it is not degenerate and not positive, and the damping pervasive, it is
+    unstable, with as many growing modes as the second variation has negative squares (Kelvin, Tait, Chetaev).
+
+    Damping by all three components of ω reaches every motion except in two cases. First, the body turns about
+    k with M along k, and no torque acts to first order, so that k moves by itself: M is that of a free body,
+    and its growing modes are all. Second, a body of revolution is at rest at a tilt: it may begin to spin
+    about its axis, and nothing stops it.
 
     Parameters
     ----------
@@ -61,14 +63,14 @@ class Secular:
 
     @cached_property
     def variation(self) -> SecondVariation:
-        """With the Casimirs, on the orbit modulo the flows of the integrals."""
+        """The second variation with the Casimirs, on the orbit modulo the flows of the integrals."""
         return secular_variation(self.equilibrium)
 
     @cached_property
     def criterion(self) -> Criterion:
-        """It is positive definite; reduced to independent conditions.
+        """The criterion that it is positive definite, reduced to independent conditions.
 
-        Of a body that is recognised, in the standard axes.
+        For a body of revolution that is recognised it is in the standard axes.
         """
         if known := seen(self.equilibrium):
             return replace(secular_of(known.equilibrium).criterion, modulo=known.modulo)
@@ -76,15 +78,17 @@ class Secular:
 
     @cached_property
     def standard(self) -> "Secular":
-        """Of the equilibrium in the standard axes, where a body of revolution is recognised."""
+        """The same for the equilibrium in the standard axes, if a body of revolution is recognised."""
         known = seen(self.equilibrium)
         return secular_of(known.equilibrium) if known else self
 
     @cached_property
     def exceptions(self) -> tuple[tuple[Expr, ...], ...]:
-        """Where the criterion is not necessary: where one of the first vanishes the second variation is
-        degenerate, or the body is at rest and free to spin; where one of each of the others does, the damping
-        does not reach every motion of k. In normal form, () for what vanishes nowhere.
+        """The expressions, in normal form, whose zeros are where the criterion is not necessary.
+
+        If one of the first group vanishes, the second variation is degenerate, or the body is at rest and
+        free to spin; if one of each of the other groups does, the damping does not reach every motion of k. A
+        group is () if it vanishes nowhere.
         """
         singular = Mul(*(block[-1] ** times for block, times in self._coefficients.items()))
         values = (singular * self._rest if self.variation.modulo else singular, *self._torques)
@@ -95,18 +99,18 @@ class Secular:
 
     @cached_property
     def compared(self) -> tuple[str, ...]:
-        """Names in the criterion: without one of them there is no verdict."""
+        """The names in the criterion: without one of them there is no verdict."""
         return names_needed(self.equilibrium, (self.criterion,))
 
     @cached_property
     def required(self) -> tuple[str, ...]:
-        """Names with which every verdict is answered: where the criterion fails, those of the motion."""
+        """The names with which every verdict is answered: if the criterion fails, those of the motion."""
         if () in self.criterion.alternatives:
             return self.compared
         return tuple(sorted({*self.compared, *names_of_motion(self.equilibrium)}))
 
     def decide(self, numbers: Point, margins: dict[Expr, Expr]) -> Decision:
-        """The decision under internal damping at exact numbers, with the number of growing modes."""
+        """Return the decision under internal damping at exact numbers, with the number of growing modes."""
         known = seen(self.equilibrium) or seen_at(self.equilibrium, numbers)
         if known is None:
             found, modulo = self._decided(numbers, margins), self.criterion.modulo
@@ -142,13 +146,14 @@ class Secular:
 
     @cached_property
     def counted_by(self) -> tuple[str, ...]:
-        """Names in what counts the negative squares, and in what tells whether the damping reaches all."""
+        """The names in what counts negative squares, and in what tells whether the damping reaches all."""
         return names_in(chain(*self._coefficients, *self.exceptions))
 
     @cached_property
     def _coefficients(self) -> Counter[tuple[Expr, ...]]:
-        """Of the characteristic polynomial of each block of the second variation, or of its part across k or
-        of K, for −λ, and how often it occurs.
+        """The coefficients of the characteristic polynomial of each block for −λ, and how often it occurs.
+
+        The blocks are those of the second variation, or of its part across k, or of K.
         """
         eq, K = self.equilibrium, stiffness(self.variation)
         if found := across(self.variation):
@@ -159,7 +164,7 @@ class Secular:
 
     @cached_property
     def _torques(self) -> tuple[Expr, ...]:
-        """What vanishes where k moves by itself: M × k, and the torque to first order in k."""
+        """What vanishes if k moves by itself: M × k, and the torque to first order in k."""
         eq = self.equilibrium
         potential = eq.system.potential
         if potential is None:
@@ -178,8 +183,10 @@ class Secular:
         return tuple(e for x in found if (e := lowest_terms(eq.insert(x))) != 0)
 
     def _exceptional(self, numbers: Mapping[Symbol, Expr]) -> bool:
-        """Whether the damping may not reach every motion: k may move by itself, the body turning about it, or
-        it is at rest and may turn along a symmetry, at a rate that is constant to first order.
+        """Tell whether the damping may not reach every motion.
+
+        Either k may move by itself, the body turning about it, or the body is at rest and may turn along a
+        symmetry, at a rate that is constant to first order.
         """
         _, *torques = self.exceptions
         if all(any(sign(e, numbers) == 0 for e in torque) for torque in torques):
@@ -188,11 +195,14 @@ class Secular:
 
     @property
     def _rest(self) -> Expr:
-        """|π|², which vanishes at rest."""
+        """The square of abs(π), which vanishes at rest."""
         return self.equilibrium.insert(Add(*(x**2 for x in self.equilibrium.point[:3])))
 
     def _degenerate(self, numbers: Mapping[Symbol, Expr], reached: bool) -> Decision:
-        """Where the second variation is degenerate beyond the symmetries: whether the energy is least."""
+        """Return the decision if the second variation is degenerate beyond the symmetries.
+
+        It depends on whether the energy is least by terms of higher order.
+        """
         least, why = loaded("stability.theorems.minimum_on_orbit:least_at")(self.equilibrium, numbers)
         if least is None or not least and not reached:
             return undecided(why if least is None else OUT_OF_REACH)
@@ -205,6 +215,9 @@ secular_of = once(Secular)                                 # derived once for ea
 
 @cache
 def lost(growing: int | None) -> Decision:
-    """The decision that damping destroys what is not least, with the number of modes that grow if counted."""
+    """Return the decision that damping destroys what is not least, with the number of growing modes.
+
+    The number is None if they are not counted.
+    """
     how_many = "" if growing is None else f", {growing} growing mode{'' if growing == 1 else 's'}"
     return settled(False, f"{LOST}{how_many}", Rung.NEGATIVE_SQUARES, Notion.SECULAR, growing=growing)

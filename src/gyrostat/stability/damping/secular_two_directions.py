@@ -1,4 +1,4 @@
-"""Internal damping of a body at rest in the frame of two directions."""
+"""Decides a body in the frame of two directions under internal damping, by its stiffness K."""
 from collections.abc import Mapping
 from dataclasses import replace
 
@@ -20,24 +20,25 @@ DEGENERATE = "the second variation is degenerate, and terms of higher degree dec
 
 
 class SecularInFrame(Secular):
-    """The same where the directions are two: the second variation is K beside a positive form of the momenta.
+    """The second variation under internal damping, with two directions: K beside a form of the momenta.
 
-    Damping by the three components of the absolute rate ω reaches every motion of a body in a frame that does
-    not turn. In an orbit it does unless the body, turned by a little as the normal turns, asks for no torque;
-    in the gravity gradient that is where t·In = 0 and n·In = r·Ir. Of one direction a and a coupling it does
-    unless a, carried along by the undisturbed rate, asks for no torque in any direction across it.
+    The form of the momenta is positive. Damping by the three components of the absolute rate ω reaches every
+    motion of a body in a frame that does not turn. In an orbit it does unless the body, turned by a little as
+    the normal turns, asks for no torque; in the gravity gradient that is so if t·In = 0 and n·In = r·Ir. With
+    one direction a and a coupling it does unless a, carried along by the undisturbed rate, asks for no torque
+    in any direction across it.
 
     References
     ----------
-    As Secular; the exceptions: Derived.
+    As Secular; the exceptions are derived.
     """
 
     @cached_property
     def _torques(self) -> tuple[Expr, ...]:
-        """What vanishes where the damping does not reach every motion."""
+        """What vanishes if the damping does not reach every motion."""
         eq = self.equilibrium
         if not rests_in_frame(eq):
-            # of a tilted body of revolution whether it does is not known
+            # () counts as an exception: whether it reaches all of a tilted body of revolution is not known
             return () if self.variation.modulo else _torques_across(eq)
         return _torques_in_orbit(eq) if eq.system.kind is Kind.ORBIT else (S.One,)
 
@@ -51,14 +52,20 @@ class SecularInFrame(Secular):
 
 
 def _torques_in_orbit(eq: Equilibrium) -> tuple[Expr, ...]:
-    """What is left of I θ̈ + g × θ̇ + K θ where ω stays, θ̇ = θ × ω0 n: the body turns as the normal does."""
+    """Return what is left of I θ̈ + g × θ̇ + K θ if the body turns as the normal does.
+
+    Then ω stays, and θ̇ = θ × ω0 n.
+    """
     form, turn = orientation_form(eq), orbital_rate(eq.system) * hat(eq.point[3:6])
     left = (form.inertia * turn**2 - hat(form.gyroscopic) * turn + form.stiffness) * turn
     return tuple(e for x in left.flat() if x != 0 and (e := lowest_terms(eq.insert(x))) != 0)
 
 
 def _torques_across(eq: Equilibrium) -> tuple[Expr, ...]:
-    """What is left of π̇ where a turns by a little across itself and ω stays: δπ = −IB δa, δȧ = δa × ω."""
+    """Return what is left of π̇ if a turns by a little across itself and ω stays.
+
+    Then δπ = −IB δa, with the coupling B, and δȧ = δa × ω.
+    """
     def placed(rows: list[list[Expr]]) -> ImmutableMatrix:
         return ImmutableMatrix([[eq.at_point(x) for x in row] for row in rows])
 

@@ -1,6 +1,6 @@
-"""Birkhoff's normal form of a Hamiltonian of two degrees of freedom at a point where it oscillates.
+"""Brings a Hamiltonian of two degrees of freedom to Birkhoff's normal form, by Lie series.
 
-Numbers are balls or elements of the field of the eigenvalues.
+Numbers are balls, or elements of the field of the eigenvalues, which are imaginary.
 """
 from collections.abc import Collection, Iterable, Sequence
 from dataclasses import dataclass
@@ -14,10 +14,10 @@ from ...algebra.reals.eigenvalues import Element
 from ...algebra.rings.series import Part, added, is_zero, substituted
 
 Rows = list[list[Any]]
-Mode = tuple[Any, list[Any], Any]                          # an eigenvalue, its vector, its norm
+Mode = tuple[Any, list[Any], Any]                          # an eigenvalue, its vector, the vector's norm
 Pairs = Sequence[tuple[int, int, Any]]                     # i, j and {Y_i, Y_j}
 ONES = tuple(1 << 4 * n for n in range(4))
-Z1, W1, Z2, W2 = ONES                                      # exponents of the variables, packed
+Z1, W1, Z2, W2 = ONES                                      # the exponents of a monomial, four bits each
 
 
 @dataclass(frozen=True)
@@ -29,6 +29,7 @@ class Modes:
     values : tuple, shape (2,)
         λ1, λ2 = iω1, iω2
     vectors : tuple of list, shape (2, 4)
+        v1, v2
     norms : tuple, shape (2,)
         N_j = v̄_jᵀ 𝕁 v_j; h = −Σ λ_j N_j z_j w_j + …, and the action is −i N_j z_j w_j
     """
@@ -39,39 +40,39 @@ class Modes:
 
     @cached_property
     def forms(self) -> list[Part]:
-        """y in z1, w1, z2, w2."""
+        """The coordinates y as linear forms in z1, w1, z2, w2."""
         first, second = self.vectors
         return in_columns([first, conjugate(first), second, conjugate(second)])
 
     @cached_property
     def brackets(self) -> Pairs:
-        """{z_j, w_j} = −1/N_j."""
+        """The Poisson brackets {z_j, w_j} = −1/N_j."""
         return [(2 * j, 2 * j + 1, -1 / norm) for j, norm in enumerate(self.norms)]
 
     def oriented(self) -> "Modes":
-        """Of numbers in balls, with ω_j of the sign that makes the action −i N_j z_j w_j positive."""
+        """Return the modes of numbers in balls with positive actions −i N_j z_j w_j, ω_j of either sign."""
         found = [(-value, conjugate(vector), -norm) if norm.imag < 0 else (value, vector, norm)
                  for value, vector, norm in zip(self.values, self.vectors, self.norms)]
         return Modes(*zip(*found))
 
 
 def linear_motion(quadratic: Part) -> Rows:
-    """A of y' = A y, 𝕁 D²h."""
+    """Return the matrix A = 𝕁 D²h of y' = A y."""
     S = [[quadratic.get(a + b, 0) * (2 if a == b else 1) for b in ONES] for a in ONES]
     return [S[1], [-x for x in S[0]], S[3], [-x for x in S[2]]]
 
 
 def characteristic(A: Rows) -> tuple[Any, Any]:
-    """p and q of det(λ − A) = λ⁴ + p λ² + q."""
+    """Return p and q of det(λ − A) = λ⁴ + p λ² + q, by the traces of A² and A⁴."""
     square = multiplied(A, A)
     p = sum(square[n][n] for n in range(4)) / -2
     return p, (p**2 - sum(multiplied(square, square)[n][n] for n in range(4)) / 2) / 2
 
 
 def modes(A: Rows, p: Any, values: tuple[Any, Any]) -> Modes:
-    """In the image of the adjugate of λ − A, A³ + λ A² + (λ² + p) A + λ (λ² + p).
+    """Return the eigenvectors in the image of the adjugate of λ − A, A³ + λ A² + (λ² + p) A + λ (λ² + p).
 
-    ZeroDivisionError where none is proved to be an eigenvector.
+    ZeroDivisionError if no vector is proved to be an eigenvector.
     """
     square = multiplied(A, A)
     cube = multiplied(square, A)
@@ -80,7 +81,7 @@ def modes(A: Rows, p: Any, values: tuple[Any, Any]) -> Modes:
 
 def _mode(A: Rows, square: Rows, cube: Rows, p: Any, value: Any) -> Mode:
     rest = value * value + p
-    # a vector is orthogonal to (1, t, t², t³) for three t at most, and there are two pairs of eigenvalues
+    # a vector is orthogonal to (1, t, t², t³) for three t at most: seven are enough for two pairs
     for t in range(7):
         v = [0 * value] * 4
         for column, factor in enumerate([t**n for n in range(4) if t or not n]):
@@ -93,14 +94,15 @@ def _mode(A: Rows, square: Rows, cube: Rows, p: Any, value: Any) -> Mode:
 
 
 def normalised(parts: Sequence[Part], found: Modes, kept: Collection[int] = ()) -> list[Part]:
-    """The energy in z and w without the terms that can be removed; of the last degree what stays.
+    """Return the energy in z and w, in parts of each degree, without the terms that can be removed.
 
-    Each step is exp(ad W) where {h2, W} takes away the terms of one degree but for what has no rate.
+    Each step is exp(ad W), in which {h2, W} takes away the terms of one degree, except those without a rate:
+    docs/explanation/derivations/d4.md, sections 3 and 9. Of the last degree only what stays is computed.
 
     Parameters
     ----------
     parts : sequence of dict
-        of degree 0 to n, in the coordinates of the modes
+        homogeneous parts of degree 0 to n, in the coordinates y
     found : Modes
     kept : collection of int
         resonant terms, by their exponents
@@ -116,7 +118,7 @@ def normalised(parts: Sequence[Part], found: Modes, kept: Collection[int] = ()) 
         for turns in {rate(code) for code in gone} - divisors.keys():
             divisors[turns] = 1 / (found.values[0] * turns[0] + found.values[1] * turns[1])
         W = {code: c * divisors[rate(code)] for code, c in gone.items()}
-        # ad W once, twice, …, of h2 and of every other part
+        # ad W once, twice, …, applied to h2 and to every other part; {h2, W} is known, it is what goes
         chains = [(order, 1, {code: -c for code, c in gone.items()}),
                   *((n, 0, part) for n, part in enumerate(h) if n > 2)]
         h = [dict(part) for part in h]
@@ -131,7 +133,7 @@ def normalised(parts: Sequence[Part], found: Modes, kept: Collection[int] = ()) 
 
 
 def bracket(f: Part, g: Part, pairs: Pairs, wanted: Collection[int] | None = None) -> Part:
-    """{f, g}, or the wanted terms of it."""
+    """Return the Poisson bracket {f, g}, or the wanted terms of it."""
     total: Part = {}
     for e, c in f.items():
         for d, x in g.items():
@@ -145,7 +147,7 @@ def bracket(f: Part, g: Part, pairs: Pairs, wanted: Collection[int] | None = Non
 
 
 def twist(part: Part, found: Modes) -> Any:
-    """D of the terms of degree 2m: their value at the actions (ω2, −ω1), where h2 vanishes."""
+    """Return D of the terms of degree 2m: their value at the actions (ω2, −ω1), where h2 vanishes."""
     first, second = (found.values[1] / found.norms[0], -1 * found.values[0] / found.norms[1])
     total = 0
     for code, c in part.items():
@@ -155,27 +157,30 @@ def twist(part: Part, found: Modes) -> Any:
 
 
 def in_columns(columns: Iterable[Sequence[Any]]) -> list[Part]:
-    """Σ Y_n columns[n], one linear form a component."""
+    """Return Σ Y_n columns[n], one linear form for each component."""
     return [{ONES[n]: x for n, x in enumerate(row) if not is_zero(x)} for row in zip(*columns)]
 
 
 def symplectic(x: Sequence[Any], y: Sequence[Any]) -> Any:
-    """xᵀ 𝕁 y."""
+    """Return xᵀ 𝕁 y."""
     return x[0] * y[1] - x[1] * y[0] + x[2] * y[3] - x[3] * y[2]
 
 
 def conjugate(vector: Sequence[Any]) -> list[Any]:
-    """Of every component."""
+    """Return the complex conjugate of every component."""
     return [x.conjugate() for x in vector]
 
 
 def multiplied(a: Rows, b: Rows) -> Rows:
-    """The product of two matrices."""
+    """Return the product of two matrices."""
     return [[sum(a[i][n] * b[n][j] for n in range(4)) for j in range(4)] for i in range(4)]
 
 
 def not_zero(x: Any) -> bool:
-    """Whether a number is proved not to be 0, for all eigenvalues it may stand for; of an array, most."""
+    """Tell whether a number is proved not to be 0, for all eigenvalues that it may stand for.
+
+    For an array it tells whether most entries are.
+    """
     if isinstance(x, Element):
         return x.invertible()
     if hasattr(x, "excludes_zero"):
@@ -184,15 +189,16 @@ def not_zero(x: Any) -> bool:
 
 
 def rate(code: int) -> tuple[int, int]:
-    """How often λ1 and λ2 are in the rate of a monomial."""
+    """Return how often λ1 and λ2 are in the rate of a monomial."""
     return (code & 15) - (code >> 4 & 15), (code >> 8 & 15) - (code >> 12)
 
 
 def colliding(A: Rows, p: Any, value: Any, parts: list[Part]) -> Any:
-    """The sign of ε𝒜 is that of this number; None where no eigenvector is proved not to be 0.
+    """Return a number with the sign of ε𝒜 at 1:1; None if no eigenvector is proved not to be 0.
 
-    v = adj(λ − A)e and u = adj'(λ)e with (A − λ)u = v; {Y_i, Y_j} is −Ω⁻¹, Ω_ij = v_iᵀ 𝕁 v_j; h3 is removed
-    by W with (λΔ + N) W = h3, N nilpotent.
+    With v = adj(λ − A)e and u = adj'(λ)e, (A − λ)u = v is a Jordan block. {Y_i, Y_j} is −Ω⁻¹, Ω_ij = v_iᵀ 𝕁
+    v_j. The cubic part h3 is removed by W with (λΔ + N) W = h3, N nilpotent, so that the series for its
+    inverse ends.
     """
     square = multiplied(A, A)
     cube = multiplied(square, A)
@@ -206,7 +212,7 @@ def colliding(A: Rows, p: Any, value: Any, parts: list[Part]) -> Any:
             break
     else:
         return None
-    # in the order z, w, z', w' of v, v̄, u, ū
+    # the variables z, w, z', w' belong to v, v̄, u, ū; Ω is inverted by hand
     g, h = symplectic(v, conjugate(u)), symplectic(u, conjugate(v))
     b = symplectic(u, conjugate(u))
     pairs = [(0, 1, -b / (g * h)), (0, 3, 1 / g), (2, 1, 1 / h)]
@@ -225,7 +231,7 @@ def colliding(A: Rows, p: Any, value: Any, parts: list[Part]) -> Any:
 
 
 def _nilpotent(part: Part) -> Part:
-    """z' ∂/∂z + w' ∂/∂w."""
+    """Return z' ∂/∂z + w' ∂/∂w, applied to a part."""
     found: Part = {}
     for code, c in part.items():
         for n in (0, 1):
@@ -235,7 +241,7 @@ def _nilpotent(part: Part) -> Part:
 
 
 def real(x: Any) -> Any:
-    """The real number that an element of the field, a complex ball or a number is."""
+    """Return the real number that an element of the field, a complex ball or a number is."""
     if isinstance(x, Element):
         return x.rational()
     return x.real if isinstance(x, acb) else x

@@ -1,4 +1,4 @@
-"""What decides where gyroscopic forces hold a maximum, along a family: D4 as a rational function."""
+"""Arnold's condition along a family: D4 as a rational function of its names, by averages."""
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from math import prod
@@ -23,35 +23,37 @@ from .d4_by_averages import averages
 from .local_motion import LocalMotion, motion_along
 from .windows import ROUGH, resonance_margins
 
-DEGREE, MOST = 4, 3                                        # of U; names where h3 is not 0
+DEGREE, MOST = 4, 3                                        # derivatives of U; names, if h3 is not 0
 
 
 @dataclass(frozen=True, repr=False)
 class Window(Shown, Stored):
-    """Arnold's condition where p, q and p² − 4q are positive and the second variation is not definite.
+    """Arnold's condition if p, q and p² − 4q are positive and the second variation is not definite.
 
-    Stable where no resonance holds and D4 is not 0; of the other points a verdict decides each.
+    It is stable if no resonance holds and D4 is not 0; each of the other points is decided by a verdict.
 
     Parameters
     ----------
     p, q : Expr
-        of λ⁴ + p λ² + q [1/T², 1/T⁴]
+        the coefficients of λ⁴ + p λ² + q [1/T², 1/T⁴]
     resonances : tuple of (int, int, Expr)
-        m, n and a polynomial that is 0 where the frequencies are as m to n
+        m, n and a polynomial that is 0 if the frequencies are as m to n
     D4 : Expr
-        factored
+        Arnold's determinant, factored
     margin : Expr
         the primitive integer polynomial that has the sign of D4 in the window
     zeros : tuple of Expr
-        factors of D4 that do not change its sign, and where it is 0
+        factors of D4 that do not change its sign, but make it 0
     at : Expr
         the k3 at which derivatives of U are taken
 
     Examples
     --------
     >>> import gyrostat as gs
-    >>> scene = gs.assemble(gs.Gyrostat((5, 4, 3), (0, 0, 0)), gs.general_potential(lambda k1, k2, k3: k3))
-    >>> found = gs.analyze(gs.upright(scene)).window()
+    >>> body = gs.Gyrostat((5, 4, 3), (0, 0, 0))
+    >>> field = gs.general_potential(lambda k1, k2, k3: k3)
+    >>> spin = gs.upright(gs.assemble(body, field))
+    >>> found = gs.analyze(spin).window()
     >>> found.q
     (pi3_0**2 + 9)*(2*pi3_0**2 + 9)/1620
     >>> found.resonances[0], found.margin
@@ -68,7 +70,7 @@ class Window(Shown, Stored):
 
 
 class _Held(NamedTuple):
-    """p, q and D4 of a motion, in a ring of its names."""
+    """The p, q and D4 of a motion, in a ring of its names."""
 
     ring: Ring
     p: RationalFunction
@@ -77,12 +79,12 @@ class _Held(NamedTuple):
 
     @property
     def discriminant(self) -> RationalFunction:
-        """p² − 4q."""
+        """The discriminant p² − 4q."""
         return self.p**2 - 4 * self.q
 
 
 def window_of(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> Window:
-    """As Report.window."""
+    """Return D4 and the conditions beside it; Report.window describes them."""
     domain = [evaluate(e, numbers) for e in eq.existence()]
     held = _held(eq.label, motion_in_field(eq, numbers), domain)
     ring, (p, q, D4) = held.ring, held[1:]
@@ -97,7 +99,7 @@ def window_of(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> Window:
 
 
 def motion_in_field(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> LocalMotion:
-    """The motion near an equilibrium whose D4 may be a rational function of what has no number."""
+    """Return the motion near an equilibrium whose D4 may be a rational function of what has no number."""
     potential = eq.system.potential
     if potential is None:
         raise ScopeError(f"{eq.label} is of a free body, which has one degree of freedom: its verdict needs "
@@ -113,9 +115,10 @@ def motion_in_field(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> LocalMot
 
 
 def cuts_in_windows(motion: LocalMotion, x: Symbol, low: Expr | None, high: Expr | None) -> list[Expr] | None:
-    """Values of the only name between which Arnold's condition holds in a window everywhere, or nowhere.
+    """Return values of the only name between which Arnold's condition does not change in a window.
 
-    None where they are not known: D4 is no rational function of it, or is 0, or a resonance holds, always.
+    Between two of them it holds everywhere, or nowhere. None if they are not known: D4 is no rational
+    function of the name, or is 0 everywhere, or a resonance holds everywhere.
     """
     try:
         held = _held("", motion, (), square_roots=True)
@@ -131,7 +134,10 @@ def cuts_in_windows(motion: LocalMotion, x: Symbol, low: Expr | None, high: Expr
 
 
 def _norm(ring: Ring, polynomial: fmpq_mpoly) -> fmpq_mpoly:
-    """Without square roots: the product of what it is for either sign of each, 0 where one of these is."""
+    """Return the norm of a polynomial over its square roots: the product over either sign of each of them.
+
+    It has no square roots, and is 0 wherever one of the factors is.
+    """
     polynomial = ring.reduce(polynomial)
     for root, square in ring.squares.items():
         place = ring.generators.index(root)
@@ -142,7 +148,7 @@ def _norm(ring: Ring, polynomial: fmpq_mpoly) -> fmpq_mpoly:
 
 
 def _held(label: str, motion: LocalMotion, domain: Sequence[Expr], square_roots: bool = False) -> _Held:
-    """By the averages of a multiple of the energy that is polynomial."""
+    """Return p, q and D4 by the averages of a multiple of the energy that is polynomial."""
     ring = Ring([*motion.entries, motion.potential, *domain])
     if not all(isinstance(g, Symbol) or square_roots and g in ring.squares for g in ring.generators):
         raise ScopeError(f"{label}: D4 is a rational function where numbers are rational and U and the "
@@ -166,7 +172,7 @@ def _held(label: str, motion: LocalMotion, domain: Sequence[Expr], square_roots:
 
 
 def _factored(ring: Ring, x: RationalFunction) -> Expr:
-    """As a quotient of products."""
+    """Return a rational function as a quotient of products."""
     (above, tops), (below, bottoms) = x.top.factor(), x.bottom.factor()
     powers = [(f, int(n)) for f, n in tops] + [(f, -int(n)) for f, n in bottoms]
     return Mul(to_sympy(above / below), *(Pow(ring.expression(f), n) for f, n in powers))

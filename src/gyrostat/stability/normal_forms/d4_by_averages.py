@@ -1,4 +1,4 @@
-"""D4 of two degrees of freedom without eigenvalues: averages over the tori of the linear motion.
+"""D4 of two degrees of freedom without eigenvalues, by averages over the tori of the linear motion.
 
 Every step is a sum or a product, so the numbers may be polynomials.
 """
@@ -10,14 +10,14 @@ from typing import Any, NamedTuple
 from ...algebra.rings.series import Part, is_zero
 from .birkhoff import Rows, characteristic, linear_motion, multiplied
 
-UNIT: Rows = [[0, 1, 0, 0], [-1, 0, 0, 0], [0, 0, 0, 1], [0, 0, -1, 0]]  # 𝕁
+UNIT: Rows = [[0, 1, 0, 0], [-1, 0, 0, 0], [0, 0, 0, 1], [0, 0, -1, 0]]  # 𝕁, for {y0, y1} = {y2, y3} = 1
 ALL = range(4)
 
 
 class Averages(NamedTuple):
-    """p and q of λ⁴ + p λ² + q, and top and bottom of D4 = top/bottom.
+    """The p and q of λ⁴ + p λ² + q, and top and bottom of D4 = top/bottom.
 
-    The bottom is a positive number times q (p² − 4q) where h3 = 0, else q² (p² − 4q) (4p² − 25q).
+    The bottom is a positive number times q (p² − 4q) if h3 = 0, else q² (p² − 4q) (4p² − 25q).
     """
 
     p: Any
@@ -27,18 +27,21 @@ class Averages(NamedTuple):
 
 
 def averages(parts: Sequence[Part]) -> Averages:
-    """D4 of an energy in four canonical coordinates, {y0, y1} = {y2, y3} = 1.
+    """Return D4 of an energy in four canonical coordinates, {y0, y1} = {y2, y3} = 1.
 
-    On the torus with the actions (ω2, −ω1) let y be the linear motion, y' = A y, A = 𝕁 D²h2. Then
-    D4 = <h4(y)> + <∇h3(y)·y₁>/2, where y₁' = A y₁ + 𝕁 ∇h3(y) is the forced motion, of frequencies 0, 2ω1,
-    2ω2, ω1 ± ω2. The covariance of mode j is a polynomial in A over ω1² − ω2², the answer to a frequency ν
-    is (A + iν)(A² + p − ν²)𝕁 over ν⁴ − pν² + q; all that is not even in ω1, ω2 and symmetric cancels.
+    On the torus with the actions (ω2, −ω1) let y be the linear motion, y' = A y, A = 𝕁 D²h2. Then D4 =
+    <h4(y)> + <∇h3(y)·y₁>/2, where y₁' = A y₁ + 𝕁 ∇h3(y) is the forced motion, of frequencies 0, 2ω1, 2ω2, ω1
+    ± ω2. The covariance of mode j is a polynomial in A over ω1² − ω2², the answer to a frequency ν is (A +
+    iν)(A² + p − ν²)𝕁 over ν⁴ − pν² + q; all that is not even in ω1, ω2 and symmetric cancels.
 
     With Mₙ = Aⁿ𝕁, D²h2⁻¹ = −Y/q, Y = M₃ + pM₁, X = pM₃ + (p² − 2q)M₁ and Q = D⁴h4, T = D³h3:
 
     D4 = (3 Q(X, X) − (p² − 4q) Q(Y, Y))/(32 q (p² − 4q)) + (T:X)·Y(T:X)/(8 q² (p² − 4q))
          − Σ c_ijk θ(Mᵢ, Mⱼ, Mₖ)/(48 q² (p² − 4q)(4p² − 25q)),
     θ(Mᵢ, Mⱼ, Mₖ) = Σ (Mⱼ)_bd tr(Mᵢ T_b Mₖ T_d) for odd i.
+
+    The factor 4p² − 25q comes from ν = 2ω1, 2ω2, ω1 ± ω2, at which ν⁴ − pν² + q vanishes if one frequency is
+    twice the other.
 
     Parameters
     ----------
@@ -52,14 +55,17 @@ def averages(parts: Sequence[Part]) -> Averages:
     References
     ----------
     Lindstedt's series to the second order; Sanders, Verhulst & Murdock, Averaging Methods in Nonlinear
-    Dynamical Systems.
+    Dynamical Systems. Derived in docs/explanation/derivations/d4.md, sections 3 to 6.
 
     Examples
     --------
     >>> from flint import fmpq
     >>> one = fmpq(1)
-    >>> linear = {2: one / 2, 32: one / 2, 512: -one, 8192: -one}                 # ω1 = 1, ω2 = −2
-    >>> found = averages([{}, {}, linear, {}, {4: one}])                          # q⁴: K4 = 3 J1²/2, J1 = ω2
+
+    The frequencies are ω1 = 1 and ω2 = −2; y0⁴ has the average 3 J1²/2, and J1 = ω2.
+
+    >>> linear = {2: one / 2, 32: one / 2, 512: -one, 8192: -one}
+    >>> found = averages([{}, {}, linear, {}, {4: one}])
     >>> found.top / found.bottom
     6
     """
@@ -85,7 +91,11 @@ def averages(parts: Sequence[Part]) -> Averages:
 
 
 def _weights(p: Any, q: Any) -> dict[tuple[int, int, int], Any]:
-    """c of the sum over the orders of the matrices."""
+    """Return the c_ijk of the sum, derived in docs/explanation/derivations/d4.md, section 6.
+
+    They come from the covariances and the answers at 2ω1, 2ω2, ω1 ± ω2: multiplied out in powers of A below
+    A⁴, added over these frequencies, and written in p = ω1² + ω2² and q = ω1² ω2².
+    """
     return {(1, 0, 0): 3 * q * (4 * p**6 - 37 * p**4 * q + 123 * p**2 * q**2 - 120 * q**3),
             (3, 0, 0): 3 * p * q * (p**2 - 3 * q) * (4 * p**2 - 25 * q),
             (1, 0, 2): 6 * p * q * (4 * p**4 - 9 * p**2 * q + 8 * q**2),
@@ -99,17 +109,17 @@ def _weights(p: Any, q: Any) -> dict[tuple[int, int, int], Any]:
 
 
 def _sum(x: Any, first: Rows, y: Any, second: Rows) -> Rows:
-    """x first + y second."""
+    """Return x first + y second."""
     return [[x * a + y * b for a, b in zip(*rows)] for rows in zip(first, second)]
 
 
 def _trace(a: Rows, b: Rows) -> Any:
-    """Of the product."""
+    """Return the trace of the product."""
     return sum(a[m][n] * b[n][m] for m in ALL for n in ALL if not (is_zero(a[m][n]) or is_zero(b[n][m])))
 
 
 def _quartic(part: Part, Z: Rows) -> Any:
-    """D⁴h4(Z, Z), Z symmetric."""
+    """Return D⁴h4(Z, Z), Z symmetric: each of three pairings of four factors occurs in 8 of 24 orders."""
     total = 0
     for code, x in part.items():
         a, b, c, d = _factors(code)
@@ -118,7 +128,7 @@ def _quartic(part: Part, Z: Rows) -> Any:
 
 
 def _third_derivatives(part: Part) -> list[Rows]:
-    """D³h3."""
+    """Return the tensor D³h3."""
     T: list[Rows] = [[[0] * 4 for _ in ALL] for _ in ALL]
     for code, x in part.items():
         exponents = [code >> 4 * n & 15 for n in ALL]
@@ -128,5 +138,5 @@ def _third_derivatives(part: Part) -> list[Rows]:
 
 
 def _factors(code: int) -> list[int]:
-    """The variables of a monomial, each as often as its exponent."""
+    """Return the variables of a monomial, each as often as its exponent."""
     return [n for n in ALL for _ in range(code >> 4 * n & 15)]

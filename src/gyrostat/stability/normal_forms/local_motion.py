@@ -1,4 +1,7 @@
-"""The motion near an equilibrium of a body in a field, at exact numbers: two degrees of freedom."""
+"""The motion near an equilibrium of a body in a field, at exact numbers, with two degrees of freedom.
+
+It is h in canonical coordinates of the coadjoint orbit, expanded to a degree.
+"""
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from math import factorial
@@ -26,20 +29,20 @@ PRECISION = 128                                            # bits that decide ne
 
 @dataclass(frozen=True)
 class LocalMotion:
-    """What a body in a field is near an equilibrium on its coadjoint orbit; every number is exact.
+    """A body in a field near an equilibrium on its coadjoint orbit; every number is exact.
 
     Parameters
     ----------
     inverse : tuple of tuple of Expr, shape (3, 3)
-        of the tensor of inertia [1/(M L²)]
+        the inverse of the tensor of inertia [1/(M L²)]
     rotor, k, momentum : tuple of Expr, shape (3,)
         l and M = π + l [M L²/T], and the direction
     potential : Expr
-        U in k1, k2, k3; where only its derivatives are given, the polynomial of them
+        U in k1, k2, k3; if only its derivatives are given, their Taylor polynomial
     coefficients : callable
-        gives p and q of λ⁴ + p λ² + q [1/T², 1/T⁴], asked where balls do not decide
+        gives p and q of λ⁴ + p λ² + q [1/T², 1/T⁴], asked if balls do not decide
     square_of_k : Expr
-        abs(k)², not 1 where M, k and h are of another scale
+        abs(k)², not 1 if M, k and h have another scale
     rough : bool
         whether U has powers of 1 ∓ k3 at a pole that are not whole: normal forms ask for more derivatives
     """
@@ -55,35 +58,36 @@ class LocalMotion:
 
     @cached_property
     def p(self) -> Expr:
-        """Of λ⁴ + p λ² + q."""
+        """The p of λ⁴ + p λ² + q."""
         return self.coefficients()[0]
 
     @cached_property
     def q(self) -> Expr:
-        """Of λ⁴ + p λ² + q."""
+        """The q of λ⁴ + p λ² + q."""
         return self.coefficients()[1]
 
     @property
     def entries(self) -> list[Expr]:
-        """Of the tensor and the vectors."""
+        """The entries of the tensor and the vectors."""
         return [*(x for row in self.inverse for x in row), *self.rotor, *self.k, *self.momentum]
 
     @property
     def names(self) -> set[Symbol]:
-        """What has no number."""
+        """The symbols that have no number."""
         inside = {s for x in (*self.entries, *self.coefficients()) for s in x.free_symbols}
         return inside | self.potential.free_symbols - set(DIRECTIONS)
 
     @cached_property
     def rational(self) -> bool:
-        """Whether every number is, and U is a fraction of polynomials with rational coefficients."""
+        """Whether every number is rational, and U a fraction of polynomials with rational coefficients."""
         nodes = list(preorder_traversal(self.potential))
         return (all(isinstance(x, Rational) for x in self.entries)
                 and all(isinstance(x, Rational | Symbol | Add | Mul | Pow) for x in nodes)
                 and all(x.exp.is_Integer for x in nodes if isinstance(x, Pow)))
 
     def energy(self, degree: int, number: Number) -> list[Part]:
-        """h on the orbit in canonical coordinates, homogeneous parts up to a degree, in a ring of numbers."""
+        """Return h on the orbit in canonical coordinates, in homogeneous parts, in a ring of numbers."""
+        # the chart has a pole on its third axis: the one that is farthest from k
         upright = min(range(3), key=lambda n: _along(self.k[n]))
 
         def potential(places: Sequence[Series]) -> Series:
@@ -96,44 +100,44 @@ class LocalMotion:
 
     @cached_property
     def first(self) -> tuple[list[Part], Modes]:
-        """To degree 4 in balls of 128 bits."""
+        """The energy and the modes to degree 4, in balls of 128 bits."""
         with own_precision(PRECISION):
             return self.in_balls(4, PRECISION)
 
     def in_balls(self, degree: int, precision: int) -> tuple[list[Part], Modes]:
-        """The energy and the modes, each with a positive norm: h = Σ ω_j J_j + …, ω_j of either sign.
+        """Return the energy and the modes with positive actions: h = Σ ω_j J_j + …, ω_j of either sign.
 
-        Inside own_precision.
+        It is called inside own_precision.
         """
         parts = self.energy(degree, lambda x: ball(x, precision))
         A = linear_motion(parts[2])
         p, q = characteristic(A)
         root = (p**2 - 4 * q).sqrt()
-        squares = (p + root) / 2, 2 * q / (p + root)
+        squares = (p + root) / 2, 2 * q / (p + root)       # the smaller by their product: no digits are lost
         return parts, modes(A, p, (acb(0, squares[0].sqrt()), acb(0, squares[1].sqrt()))).oriented()
 
 
 def _along(x: Expr) -> float:
-    """How far along an axis a component of k is, the most where it has no number."""
+    """Return how far along an axis a component of k is, and the most if it has no number."""
     return 1.0 if x.free_symbols else abs(float(ball(x, 64).mid()))
 
 
 def fraction(x: Expr) -> fmpq:
-    """A rational number in the ring of fractions."""
+    """Return a rational number in the ring of fractions."""
     return fmpq(int(x.p), int(x.q))
 
 
 def local_motion(eq: Equilibrium, numbers: Mapping[Symbol, Expr], degree: int) -> LocalMotion | list[str]:
-    """At an equilibrium of a body in a field, k ≠ 0; or the names of what is missing.
+    """Return the motion at an equilibrium of a body in a field, k ≠ 0; or the names of what is missing.
 
-    Where U is unspecified, of its derivatives up to a degree too.
+    If U is unspecified, its derivatives up to a degree are among these names.
     """
     motion = motion_along(eq, numbers, degree)
     return sorted(s.name for s in motion.names) or motion
 
 
 def motion_along(eq: Equilibrium, numbers: Mapping[Symbol, Expr], degree: int) -> LocalMotion:
-    """The same where names may be without a number."""
+    """Return the motion at an equilibrium of a body in a field, in which names may be without a number."""
     potential = eq.system.potential
     assert potential is not None
     known = Point({**numbers, **{name: evaluate(eq.insert(value), numbers) for name, value in eq.relations
@@ -153,7 +157,7 @@ def motion_along(eq: Equilibrium, numbers: Mapping[Symbol, Expr], degree: int) -
 
 @once
 def data_of(eq: Equilibrium) -> tuple[list[Expr], ...]:
-    """The inverse of the tensor, the rotor, π, k, and p and q, on the family."""
+    """Return the inverse of the tensor, the rotor, π, k, and p and q, on the family."""
     body = eq.system.body
     return tuple([eq.insert(x) for x in part] for part in (
         body.inverse, body.gyrostatic_momentum, eq.point[:3], eq.point[3:],
@@ -161,7 +165,10 @@ def data_of(eq: Equilibrium) -> tuple[list[Expr], ...]:
 
 
 def _slopes(eq: Equilibrium, degree: int) -> dict[tuple[int, ...], Expr]:
-    """The derivatives of U at the point by how often each of k1, k2, k3 is differentiated, on the family."""
+    """Return the derivatives of U at the point, on the family.
+
+    The keys say how often each of k1, k2, k3 is differentiated.
+    """
     potential = eq.system.potential
     axial = potential is not None and potential.axial
     found: dict[tuple[int, ...], Expr] = {}

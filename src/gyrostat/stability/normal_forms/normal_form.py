@@ -1,4 +1,7 @@
-"""Birkhoff's normal form at an equilibrium of a body in a field, exact at rational numbers."""
+"""Birkhoff's normal form at an equilibrium of a body in a field, exact at rational numbers.
+
+At rational numbers it is computed in the field of the eigenvalues, at others in balls.
+"""
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -26,7 +29,9 @@ Form = tuple[tuple[tuple[int, int, Expr], ...], tuple[Expr, ...]]
 
 @dataclass(frozen=True, repr=False)
 class NormalForm(Shown, Stored):
-    """h = ω1 J1 + ω2 J2 + Σ c J1^m J2^n + … near an equilibrium, J1 and J2 ≥ 0 actions on the orbit.
+    """The normal form h = ω1 J1 + ω2 J2 + Σ c J1^m J2^n + … near an equilibrium.
+
+    J1 and J2 ≥ 0 are actions on the coadjoint orbit.
 
     Parameters
     ----------
@@ -35,7 +40,7 @@ class NormalForm(Shown, Stored):
     coefficients : tuple of (int, int, Expr)
         m, n and c, of degree 2, then 3 in J1 and J2; exact at rational numbers, else to 20 digits
     twists : tuple of Expr
-        D4, then D6: the terms of degree 2 and 3 at J1 = ω2, J2 = −ω1; D4 is rational where all numbers are
+        D4, then D6: the terms of degree 2 and 3 at J1 = ω2, J2 = −ω1; D4 is rational if all numbers are
     resonances : tuple of (int, int)
         m and n with m abs(ω1) = n abs(ω2) or n abs(ω1) = m abs(ω2), up to the degree
 
@@ -44,7 +49,8 @@ class NormalForm(Shown, Stored):
     >>> import gyrostat as gs
     >>> body = gs.Gyrostat((3, 5, 4), (0, 0, 0))
     >>> U = gs.general_potential(lambda k1, k2, k3: 2 * (k2 + k3) / 3)
-    >>> spin = gs.equilibrium(gs.assemble(body, U), (-2, "-5/3", "-8/3", "2/3", "1/3", "2/3"))
+    >>> point = (-2, "-5/3", "-8/3", "2/3", "1/3", "2/3")
+    >>> spin = gs.equilibrium(gs.assemble(body, U), point)
     >>> gs.analyze(spin).normal_form({}).twists
     (691181/6156000,)
     """
@@ -56,7 +62,7 @@ class NormalForm(Shown, Stored):
 
 
 def normal_form(eq: Equilibrium, numbers: Mapping[Symbol, Expr], degree: int) -> NormalForm:
-    """As Report.normal_form."""
+    """Return the normal form at an equilibrium; Report.normal_form describes it."""
     if degree not in (4, 6):
         raise ScopeError(f"degree = {degree}: the normal form is computed to degree 4 or 6")
     in_one_direction(eq.system.potential, "a normal form")
@@ -84,7 +90,7 @@ def normal_form(eq: Equilibrium, numbers: Mapping[Symbol, Expr], degree: int) ->
 
 
 def _oscillates(eq: Equilibrium, motion: LocalMotion) -> None:
-    """Refuse an equilibrium that is unstable, degenerate, or of equal frequencies."""
+    """Refuse an equilibrium that is unstable or degenerate, or has equal frequencies."""
     for name, value in (("q", motion.q), ("p", motion.p), ("p² − 4q", motion.p**2 - 4 * motion.q)):
         if (found := sign(value, {})) != 1:
             what = {0: "degenerate", -1: "unstable", None: "not proved to oscillate"}[found]
@@ -93,7 +99,7 @@ def _oscillates(eq: Equilibrium, motion: LocalMotion) -> None:
 
 
 def _frequencies(motion: LocalMotion) -> Frequencies:
-    """ω1 and ω2, the greater in size first."""
+    """Return ω1 and ω2, the greater in size first."""
     with own_precision(PRECISION):
         _, found = motion.in_balls(2, PRECISION)
         signs = [1 if value.imag > 0 else -1 for value in found.values]
@@ -102,7 +108,7 @@ def _frequencies(motion: LocalMotion) -> Frequencies:
 
 
 def _enclosed(motion: LocalMotion, degree: int) -> Form:
-    """To 20 digits."""
+    """Return coefficients and twists to 20 digits."""
     with own_precision(PRECISION):
         parts, found = motion.in_balls(degree, PRECISION)
         h = normalised(parts, found)
@@ -117,9 +123,9 @@ def _decimal(x: acb) -> Expr:
 
 
 def _exact(motion: LocalMotion, degree: int, frequencies: Frequencies, one_to_three: bool) -> Form:
-    """In the roots of p and q, of which D4 has none.
+    """Return coefficients and twists in the roots of p and q; D4 has none of these roots.
 
-    At 1:3 in the field where λ1 = ±3 λ2: a resonant term that is 0 is seen to be.
+    At 1:3 they are in the field with λ1 = ±3 λ2, in which a resonant term that is 0 is seen to be 0.
     """
     p, q = fraction(motion.p), fraction(motion.q)
     parts = motion.energy(degree, fraction)
@@ -134,7 +140,7 @@ def _exact(motion: LocalMotion, degree: int, frequencies: Frequencies, one_to_th
 
 
 def _actions(h: Sequence[Part], found: Modes) -> Iterator[tuple[int, int, Any]]:
-    """m, n and c of i^(m + n) c J1^m J2^n, z_j w_j = i J_j/N_j."""
+    """Yield m, n and c of i^(m + n) c J1^m J2^n, with z_j w_j = i J_j/N_j."""
     first, second = (-1 * bracket for _, _, bracket in found.brackets)
     for half in range(2, len(h) // 2 + 1):
         for m in range(half, -1, -1):
@@ -143,7 +149,7 @@ def _actions(h: Sequence[Part], found: Modes) -> Iterator[tuple[int, int, Any]]:
 
 
 def _with_roots(x: Any, turns: int, frequency: Expr, both: Expr) -> Expr:
-    """i^turns x, for λ = iω and λ1 λ2 = both; of an odd number of turns x is odd in λ1 and λ2."""
+    """Return i^turns x, for λ = iω and λ1 λ2 = both; if turns is odd, x is odd in λ1 and λ2."""
     if is_zero(x):
         return S.Zero
     odd, square = turns % 2, -frequency**2

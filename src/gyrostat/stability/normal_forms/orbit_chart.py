@@ -1,4 +1,4 @@
-"""The energy of a body in a field in canonical coordinates of its coadjoint orbit, as a power series."""
+"""Expands the energy of a body in a field in canonical coordinates of its coadjoint orbit."""
 from collections.abc import Callable, Sequence
 from math import factorial
 from typing import Any
@@ -12,22 +12,24 @@ A, D, Z, B = range(4)                                  # the canonical coordinat
 def energy_on_orbit(inverse: Rows, rotor: Sequence[Any], k: Sequence[Any], momentum: Sequence[Any],
                     potential: Callable[[Sequence[Series]], Series], upright: int, degree: int,
                     square_of_k: Any = 1) -> list[Part]:
-    """Homogeneous parts of h in (a, d, z, b) about a point, where M·k and abs(k) are fixed.
+    """Return homogeneous parts of h in (a, d, z, b) about a point, for fixed M·k and abs(k).
 
     In axes that are relabelled, k = (s sin a, s cos a, z), M = (e sin a − s b cos a, e cos a + s b sin a, d),
-    s² = abs(k)² − z², e = (C1 − d z)/s; about the point all coefficients are rational in its data.
+    s² = abs(k)² − z², e = (C1 − d z)/s. So a is the angle of k about the third axis and d its momentum, z =
+    k3 and b its momentum; about the point all coefficients are rational in its data.
 
     Parameters
     ----------
     inverse : rows, shape (3, 3)
-        of the tensor of inertia [1/(M L²)]; here as below numbers of one ring
+        the inverse of the tensor of inertia [1/(M L²)]; in numbers of one ring, as all that follow
     rotor, k, momentum : sequence, shape (3,)
         l and M = π + l [M L²/T], and the direction
     potential : callable
-        U of three series
+        takes the series of k1, k2, k3, and returns that of U
     upright : int
-        the axis that is the third one, along which k is not
+        the axis that becomes the third one, along which k is not
     degree : int
+        the highest degree of the parts
     square_of_k : number
         abs(k)²
 
@@ -41,15 +43,21 @@ def energy_on_orbit(inverse: Rows, rotor: Sequence[Any], k: Sequence[Any], momen
     >>> from flint import fmpq
     >>> one, zero = fmpq(1), fmpq(0)
     >>> ball = [[one, zero, zero], [zero, one, zero], [zero, zero, one]]
-    >>> parts = energy_on_orbit(ball, [zero] * 3, [zero, one, zero], [zero, one, zero], lambda k: k[2], 2, 2)
-    >>> parts[1]                                                                  # U = z pulls along z
+    >>> rest, k = [zero] * 3, [zero, one, zero]
+
+    U = z pulls along z, and the quadratic part is ((z − d)² + b²)/2:
+
+    >>> parts = energy_on_orbit(ball, rest, k, k, lambda k: k[2], 2, 2)
+    >>> parts[1]
     {256: 1}
-    >>> parts[2] == {512: one / 2, 272: -one, 32: one / 2, 8192: one / 2}         # ((z − d)² + b²)/2
+    >>> half = one / 2
+    >>> parts[2] == {512: half, 272: -one, 32: half, 8192: half}
     True
 
     References
     ----------
-    Serret and Andoyer's variables about the vertical; Deprit, Am. J. Phys. 35 (1967) 424-428.
+    Serret and Andoyer's variables about the vertical; Deprit, Am. J. Phys. 35 (1967) 424-428. Checked in
+    docs/explanation/derivations/d4.md, section 2.
     """
     order = [(upright + 1) % 3, (upright + 2) % 3, upright]
     inverse = [[inverse[i][j] for j in order] for i in order]
@@ -77,7 +85,7 @@ def energy_on_orbit(inverse: Rows, rotor: Sequence[Any], k: Sequence[Any], momen
 
 
 def _roots(z: Any, square: Any, degree: int) -> tuple[list[Any], list[Any]]:
-    """√((c − (z + x)²)/(c − z²)) in powers of x, and its inverse; c − z² is the square."""
+    """Return √((c − (z + x)²)/(c − z²)) in powers of x, and its inverse; c − z² is the square."""
     one = z**0
     under = [one, -2 * z / square, -one / square, *[0 * one] * degree]
     root, inverse = [one], [one]

@@ -1,4 +1,7 @@
-"""What decides at a resonance of the second to the fourth order, where Arnold's theorem says nothing."""
+"""Decides at a resonance of the second to the fourth order, at which Arnold's theorem says nothing.
+
+The theorems are those of Sokolskii (1:1) and Markeev (1:2 and 1:3), on the resonant normal form.
+"""
 from collections.abc import Iterator
 from functools import partial
 from typing import Any
@@ -20,7 +23,9 @@ OPEN = "what decides it is not proved to differ from 0"
 
 
 def second_order_resonance(motion: LocalMotion) -> Decision:
-    """1:1, p² = 4q: of the normal form ω S + ε |q|²/2 + 𝒜 (|p|²/2)² + …, ε𝒜 > 0 is stable.
+    """Return the decision at 1:1, p² = 4q, of the Hamiltonian-Hopf bifurcation: stable if ε𝒜 > 0.
+
+    The normal form is ω S + ε abs(q)²/2 + 𝒜 (abs(p)²/2)² + …
 
     Sokolskii, J. Appl. Math. Mech. 38 (1974) 741-749; Lerman & Markova, Regul. Chaotic Dyn. 14 (2009)
     148-162.
@@ -42,7 +47,9 @@ def second_order_resonance(motion: LocalMotion) -> Decision:
 
 
 def third_order_resonance(motion: LocalMotion) -> Decision:
-    """1:2, 4p² = 25q: unstable iff the coefficient b of z1 z2² is not 0; if it is, D4 ≠ 0 is stable.
+    """Return the decision at 1:2, 4p² = 25q: unstable if the coefficient b of z1 z2² is not 0.
+
+    If b = 0, D4 ≠ 0 proves stability.
 
     Markeev, J. Appl. Math. Mech. 32 (1968) 766-772; Alfriend, Celest. Mech. 1 (1970) 351-359.
     """
@@ -64,7 +71,9 @@ def third_order_resonance(motion: LocalMotion) -> Decision:
 
 
 def fourth_order_resonance(motion: LocalMotion) -> Decision:
-    """1:3, 9p² = 100q: on h2 = 0 the normal form is D4 + R cos φ; stable iff abs(D4) > R, open at equality.
+    """Return the decision at 1:3, 9p² = 100q: stable if abs(D4) > R, unstable if less, open at equality.
+
+    On h2 = 0 the normal form is D4 + R cos φ: no direction leaves if it has no zero.
 
     Markeev, J. Appl. Math. Mech. 32 (1968) 766-772; Cabral & Meyer, Nonlinearity 12 (1999) 1351-1362.
     """
@@ -90,14 +99,17 @@ LOWEST = {(1, 1): second_order_resonance, (1, 2): third_order_resonance, (1, 3):
 
 
 def _settled(stable: bool, why: str) -> Decision:
-    """Stable on its level of C1, where alone the resonance holds; or unstable."""
+    """Return STABLE on its level of C1, on which alone the resonance holds, or UNSTABLE."""
     if stable:
         return settled(True, why, Rung.RESONANCE, NOTION, level=(C1,))
     return settled(False, why, Rung.RESONANCE)
 
 
 def _rings(motion: LocalMotion, parts: fmpq, ratio: int) -> Iterator[tuple[Number, tuple[Any, Any]]]:
-    """Numbers and eigenvalues in a ratio, −p = parts λ2²: in balls, then exact at rational numbers."""
+    """Yield numbers and eigenvalues in a ratio, −p = parts λ2².
+
+    They are exact if all numbers are rational, else in balls of more and more bits.
+    """
     if motion.rational:
         yield fraction, in_ratio(-fraction(motion.p) / parts, ratio)
         return
@@ -108,10 +120,10 @@ def _rings(motion: LocalMotion, parts: fmpq, ratio: int) -> Iterator[tuple[Numbe
 
 
 def sign_of(x: Any) -> int:
-    """Of a fraction or a ball; 0 where it is not proved to be another."""
+    """Return the sign of a fraction or a ball; 0 if it is not proved to be another."""
     return 1 if x > 0 else -1 if x < 0 else 0
 
 
 def decimals(x: Any) -> str:
-    """Six digits of a fraction or a ball."""
+    """Return six digits of a fraction or a ball."""
     return str(arb(x).str(6, radius=False))

@@ -1,4 +1,7 @@
-"""What decides where gyroscopic forces hold a maximum of the amended potential: Arnold's theorem."""
+"""Decides a gyroscopically stabilised maximum of the amended potential by Arnold's theorem.
+
+An equilibrium with two degrees of freedom and frequencies without a resonance to order 4 is stable if D4 ≠ 0.
+"""
 from contextlib import suppress
 from dataclasses import replace
 from math import gcd
@@ -20,10 +23,11 @@ HELD = undecided("the amended potential has a maximum, held by gyroscopic forces
 
 
 def between_cuts(decision: Decision, twists: bool | None) -> Decision:
-    """What a decision at one point of a window says of all between two of its resonances.
+    """Return what a decision at one point of a window says about all points between two of its resonances.
 
-    If the window is cut at the zeros of D4, too, it says so of each point. If not, of all but single ones: D4
-    is analytic along the window, and not 0 at that point. If resonances are not known, twists None, of none.
+    If the window is cut at the zeros of D4, too, it holds at each point. If not, it holds at all but single
+    ones: D4 is analytic along the window, and not 0 at that point. If the resonances are not known, twists is
+    None, and it says nothing about other points.
     """
     if twists is None or decision.rung not in (Rung.TWIST_POSITIVE, Rung.TWIST_NEGATIVE):
         return replace(HELD, note=decision.note)
@@ -33,38 +37,43 @@ def between_cuts(decision: Decision, twists: bool | None) -> Decision:
 
 
 def resonance_margin(p: Any, q: Any, first: int, second: int) -> Any:
-    """(m n)² p² − (m² + n²)² q, which is 0 where the frequencies are as m to n [1/T⁴]."""
+    """Return (m n)² p² − (m² + n²)² q, which is 0 if the frequencies are as m to n [1/T⁴].
+
+    With ω1/ω2 = m/n, p = ω1² + ω2² and q = ω1² ω2² have p²/q = (m² + n²)²/(m n)²: see
+    docs/explanation/derivations/d4.md, section 1.
+    """
     return (first * second) ** 2 * p**2 - (first**2 + second**2) ** 2 * q
 
 
 def resonance_margins(p: Any, q: Any) -> list[tuple[int, int, Any]]:
-    """m, n and what is 0 where the frequencies are as m to n, which to order 4 are 1 to 2 and 1 to 3."""
+    """Return m, n and what is 0 if the frequencies are as m to n, which to order 4 are 1 to 2 and 1 to 3."""
     return [(m, n, resonance_margin(p, q, m, n)) for m, n in ((1, 2), (1, 3))]
 
 
 def resonances_up_to(order: int) -> list[tuple[int, int]]:
-    """Pairs m ≤ n without a common factor, m + n at most the order."""
+    """Return the pairs m ≤ n without a common factor, m + n at most the order."""
     return [(m, n) for total in range(2, order + 1) for m in range(1, total // 2 + 1)
             for n in (total - m,) if gcd(m, n) == 1]
 
 
 def decide_window(motion: LocalMotion) -> Decision:
-    """What normal forms decide where gyroscopic forces hold a maximum of the amended potential."""
+    """Return what normal forms decide if gyroscopic forces stabilise a maximum of the amended potential."""
     found = undecided(ROUGH) if motion.rough else _decided(motion)
     return replace(found, pointwise=True, reason="the amended potential has a maximum, held by gyroscopic "
                    f"forces; {found.reason}")
 
 
 def _decided(motion: LocalMotion) -> Decision:
-    """Where the eigenvalues are imaginary, none 0, and the second variation is of both signs.
+    """Return the decision if the eigenvalues are imaginary, none is 0, and the form has both signs.
 
-    Resonances to order 4 are excluded exactly; then D4 ≠ 0 proves stability, and where D4 = 0 and there is
-    none to order 6, D6 ≠ 0.
+    The form is the second variation. Resonances to order 4 are excluded exactly; then D4 ≠ 0 proves
+    stability. If D4 = 0 and there is no resonance to order 6, D6 ≠ 0 does.
 
     References
     ----------
     Arnold, Sov. Math. Dokl. 2 (1961) 247-249; Moser, Mem. Am. Math. Soc. 81 (1968); Meyer, Hall & Offin,
-    Introduction to Hamiltonian Dynamical Systems and the N-Body Problem, chapter 13.
+    Introduction to Hamiltonian Dynamical Systems and the N-Body Problem, chapter 13. The order of the tests:
+    docs/explanation/derivations/d4.md, sections 1 and 9.
     """
     for pair in resonances_up_to(4):
         holds = _resonant(motion, pair)
@@ -86,12 +95,12 @@ def _decided(motion: LocalMotion) -> Decision:
 
 
 def signed(found: Modes) -> str:
-    """The frequencies, each with the sign of its energy."""
+    """Return the frequencies as text, each with the sign of its energy."""
     return ", ".join(decimals(value.imag).replace("-", "−") for value in found.values)
 
 
 def _sixth_order(motion: LocalMotion) -> Decision:
-    """D4 is 0, or nearly: D6 ≠ 0 proves stability whichever of the two does."""
+    """Return the decision if D4 is 0, or nearly: D6 ≠ 0 proves stability whether D4 is 0 or not."""
     for pair in resonances_up_to(6)[len(resonances_up_to(4)):]:
         if (sign := _resonant(motion, pair)) is not False:
             what = "is not excluded" if sign is None else "holds"
@@ -106,7 +115,7 @@ def _sixth_order(motion: LocalMotion) -> Decision:
 
 
 def _twist(motion: LocalMotion) -> fmpq:
-    """D4 at rational numbers, a rational number."""
+    """Return D4 at rational numbers, a rational number."""
     found = averages(motion.energy(4, fraction))
     return found.top / found.bottom
 

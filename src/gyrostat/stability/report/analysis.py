@@ -1,4 +1,4 @@
-"""The one call a newcomer needs."""
+"""Makes the report of an equilibrium, of the kind that it needs: the one call a newcomer needs."""
 from ..._lazy import loaded
 from ...errors import ArgumentError
 from ...mechanics.equilibrium.equilibrium import Equilibrium
@@ -9,7 +9,7 @@ from .report import Report
 
 
 def analyze(eq: Equilibrium) -> Report:
-    """The stability analysis of an equilibrium.
+    """Return the stability analysis of an equilibrium.
 
     Parameters
     ----------
@@ -28,8 +28,10 @@ def analyze(eq: Equilibrium) -> Report:
     Examples
     --------
     >>> import gyrostat as gs
-    >>> report = gs.analyze(gs.inclined(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())))
-    >>> report.necessary.alternatives[0][0].margin == report.sufficient.alternatives[0][0].margin
+    >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())
+    >>> report = gs.analyze(gs.inclined(top))
+    >>> necessary = report.necessary.alternatives[0][0]
+    >>> necessary.margin == report.sufficient.alternatives[0][0].margin
     True
     """
     if isinstance(eq, System):

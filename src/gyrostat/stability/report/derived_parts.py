@@ -1,4 +1,7 @@
-"""What is derived of one equilibrium without numbers: two matrices, their criteria, what decides between."""
+"""What is derived for one equilibrium without numbers: the two matrices and their criteria.
+
+With them come the names that a verdict needs, and what decides between the criteria.
+"""
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
@@ -33,7 +36,12 @@ DEFINITE = "the second variation is definite on the symplectic slice"
 
 @dataclass(frozen=True, repr=False)
 class Derived(Shown, Stored):
-    """The parts of a report, each derived when it is first asked for."""
+    """The parts of a report, each derived when it is first asked for.
+
+    Parameters
+    ----------
+    equilibrium : Equilibrium
+    """
 
     equilibrium: Equilibrium
 
@@ -42,19 +50,20 @@ class Derived(Shown, Stored):
 
     @cached_property
     def linearization(self) -> Linearization:
-        """The field on the tangent space of the coadjoint orbit."""
+        """The field linearised on the tangent space of the coadjoint orbit."""
         return linearize(self.equilibrium)
 
     @cached_property
     def second_variation(self) -> SecondVariation:
-        """With the Casimirs and the integrals of the scene."""
+        """The second variation of the energy, with the Casimirs and the integrals of the scene."""
         return second_variation(self.equilibrium)
 
     @cached_property
     def necessary(self) -> Criterion:
-        """Spectral criterion, reduced to independent conditions.
+        """The spectral criterion, reduced to independent conditions.
 
-        Modulo the same flows as the sufficient one: they are neutral directions, which a growing mode leaves.
+        It is modulo the same flows as the sufficient one: along them the linearised field has the eigenvalue
+        0, so a growing mode is not in their direction.
         """
         if self.recognised:
             return replace(kept_of(self.recognised.equilibrium).necessary, modulo=self.recognised.modulo)
@@ -63,12 +72,13 @@ class Derived(Shown, Stored):
 
     @cached_property
     def sufficient(self) -> Criterion:
-        """Formal criterion with the Casimirs and the integrals, reduced to independent conditions."""
+        """The formal criterion with the Casimirs and the integrals, reduced to independent conditions."""
         if self.recognised:
             return replace(kept_of(self.recognised.equilibrium).sufficient, modulo=self.recognised.modulo)
         found = formal_criterion(self.second_variation)
         scene = self.equilibrium.system
-        if scene.given_integrals and not scene.coupled:    # of two degrees of freedom
+        # its elimination of α is for two degrees of freedom, and two directions have three
+        if scene.given_integrals and not scene.coupled:
             criterion = loaded("stability.theorems.given_integrals:integral_criterion")
             more = criterion(self.linearization).alternatives
             found = replace(found, alternatives=(*found.alternatives, *more))
@@ -76,7 +86,7 @@ class Derived(Shown, Stored):
 
     @cached_property
     def casimirs_only(self) -> Criterion:
-        """Formal criterion with the Casimirs alone, for comparison."""
+        """The formal criterion with the Casimirs alone, for comparison."""
         if not self.equilibrium.system.integrals:
             return self.sufficient
         return independent(formal_criterion(second_variation(self.equilibrium, integrals=False)),
@@ -84,15 +94,16 @@ class Derived(Shown, Stored):
 
     @cached_property
     def damped(self) -> Criterion:
-        """Secular criterion: what is stable, and stays so under internal damping.
+        """The secular criterion: what is stable, and stays so under internal damping.
 
-        Unlike casimirs_only: of positive sign, and modulo the flows of the integrals.
+        Unlike casimirs_only it asks for a minimum, not for a maximum, and it is modulo the flows of the
+        integrals.
         """
         return self.secular.criterion
 
     @cached_property
     def secular(self) -> Secular:
-        """What internal damping makes of it."""
+        """The second variation under internal damping, and what it decides."""
         eq = self.equilibrium
         if not eq.system.coupled:
             return secular_of(eq)
@@ -100,9 +111,10 @@ class Derived(Shown, Stored):
 
     @cached_property
     def boundary(self) -> "Boundary | None":
-        """What decides where necessary holds and sufficient does not, for a body of revolution.
+        """The reduced motion, which decides a body of revolution if necessary holds and sufficient does not.
 
-        None for other scenes; about another axis than the third, of the equilibrium in the standard scene.
+        It is None for other scenes. If the axis of revolution is not the third one, it is that of the
+        equilibrium in the standard scene.
         """
         eq = self.recognised.equilibrium if self.recognised else self.equilibrium
         if eq.system.kind is not Kind.REVOLUTION:
@@ -111,7 +123,7 @@ class Derived(Shown, Stored):
 
     @property
     def between(self) -> Between | None:
-        """What decides between the two criteria: the boundary, of a free body the momentum sphere."""
+        """What decides between the two criteria: the boundary, or for a free body the momentum sphere."""
         if self.boundary or self.equilibrium.system.kind is not Kind.FREE:
             return self.boundary
         return loaded("stability.theorems.momentum_sphere:sphere_of")(self.equilibrium)
@@ -123,13 +135,13 @@ class Derived(Shown, Stored):
 
     @cached_property
     def drift(self) -> "Drift":
-        """What moves near a tilted equilibrium along its orbit under the spin."""
+        """The relative equilibria near a tilted one, which move along its orbit under the spin."""
         eq = self.recognised.equilibrium if self.recognised else self.equilibrium
         return loaded("stability.theorems.drift:Drift")(eq)
 
     @cached_property
     def open_between(self) -> bool:
-        """Whether nothing decides between the two criteria, whatever the numbers: of two directions."""
+        """Whether nothing decides between the two criteria at any numbers, as may be with two directions."""
         return self.equilibrium.system.coupled and bool(
             loaded("stability.theorems.two_directions:open_between")(self.equilibrium))
 
@@ -141,14 +153,14 @@ class Derived(Shown, Stored):
 
     @cached_property
     def stable(self) -> Decision:
-        """Where the second variation is definite."""
+        """The decision if the second variation is definite."""
         return settled(True, DEFINITE, Rung.SECOND_VARIATION, modulo=self.sufficient.modulo)
 
     @cached_property
     def determinant(self) -> tuple[Expr, tuple[str, ...]]:
         """The determinant of the linearised field without factors that are positive, and the names in it.
 
-        It vanishes where the second variation is degenerate.
+        It vanishes if and only if the second variation on the orbit is degenerate.
         """
         determinant = self.equilibrium.insert(self.linearization.coefficients[-1])
         margin, even = Signs.over([determinant], self.equilibrium.existence()).normal_form(determinant)
@@ -157,14 +169,14 @@ class Derived(Shown, Stored):
 
     @cached_property
     def compared(self) -> tuple[str, ...]:
-        """Names in the two criteria: without one of them there is no verdict."""
+        """The names in the two criteria: without one of them there is no verdict."""
         return names_needed(self.equilibrium, (self.necessary, self.sufficient))
 
     @cached_property
     def required(self) -> tuple[str, ...]:
-        """Names with which every verdict is answered: those of the criteria and of what decides between them.
+        """The names with which every verdict is answered: those of criteria, and of what decides between.
 
-        Of an unspecified U a boundary may need a derivative besides.
+        If U is unspecified, a boundary may need a derivative besides.
         """
         return tuple(sorted({*self.compared, *self._between_names()}))
 
@@ -178,8 +190,8 @@ class Derived(Shown, Stored):
 
     @cached_property
     def parameters(self) -> tuple[str, ...]:
-        """Names that a verdict accepts; where U is unspecified, every derivative dU, d2U, … besides."""
+        """The names that a verdict accepts; if U is unspecified, every derivative dU, d2U, … besides."""
         return names_accepted(self.equilibrium, self.compared)
 
 
-kept_of = once(Derived)                                    # of an equilibrium in the standard axes
+kept_of = once(Derived)                                    # derived once, for an equilibrium in standard axes

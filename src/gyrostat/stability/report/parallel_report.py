@@ -1,4 +1,7 @@
-"""The report of an equilibrium where two directions are parallel: a singular orbit."""
+"""The report of an equilibrium with two parallel directions, whose coadjoint orbit is singular.
+
+It decides by the motions in which the directions stay parallel, and by the stiffness K against all others.
+"""
 from dataclasses import replace
 
 from sympy import Expr, ImmutableMatrix
@@ -29,14 +32,14 @@ OTHERS = "against motions in which the directions do not stay parallel nothing i
 
 
 class ParallelReport(Report):
-    """Of an equilibrium with parallel directions, by that of the motions in which they stay parallel.
+    """The report of an equilibrium with parallel directions, by the motions in which they stay parallel.
 
     Its matrices are those of parallel_directions(eq), and so is what is necessary. At rest K across the
-    directions decides more: where it is positive definite the energy of a and b = c a has a strict minimum
-    for abs(a) held, whatever M·a. The length of b − c a is constant, and while it is small the energy is that
-    of b = c a but for as little: the equilibrium is stable against all motions, under internal damping too.
+    directions decides more: if it is positive definite, the energy of a and b = c a has a strict minimum for
+    a fixed abs(a), whatever M·a. The length of b − c a is constant, and if it is small, the energy differs
+    little from that with b = c a: the equilibrium is stable against all motions, under internal damping too.
     A body of revolution that turns about its axis, or any ball, conserves ω·π, and h − ω·π stands for the
-    energy: K is that of a body at rest with the coupling β − ω. Damping does not conserve it.
+    energy: K is that of a body at rest with the coupling β − ω. Damping does not conserve ω·π.
 
     References
     ----------
@@ -45,35 +48,41 @@ class ParallelReport(Report):
     Examples
     --------
     >>> import gyrostat as gs
-    >>> vehicle = gs.underwater_vehicle(weight=(0, 0, gs.symbol("m0")))
-    >>> rising = gs.analyze(gs.steady_motion(vehicle, (0, 0, gs.symbol("p0")), (0, 0, 1)))
-    >>> print(rising.sufficient)
-    mass₂ mass₃ m₀ > p₀² (mass₂ − mass₃) and mass₁ mass₃ m₀ > p₀² (mass₁ − mass₃)
+    >>> m0, p0 = gs.symbol("m0"), gs.symbol("p0")
+    >>> vehicle = gs.underwater_vehicle(weight=(0, 0, m0))
+    >>> rising = gs.steady_motion(vehicle, (0, 0, p0), (0, 0, 1))
+    >>> for condition in gs.analyze(rising).sufficient.alternatives[0]:
+    ...     print(condition)
+    mass₂ mass₃ m₀ > p₀² (mass₂ − mass₃)
+    mass₁ mass₃ m₀ > p₀² (mass₁ − mass₃)
     """
 
     @cached_property
     def along(self) -> Report:
-        """Of the motions in which the directions stay parallel."""
+        """The report of the motions in which the directions stay parallel."""
         return Report(parallel_directions(self.equilibrium))
 
     @property
     def linearization(self) -> Linearization:
-        """In the motions in which the directions stay parallel."""
+        """The linearised field of the motions in which the directions stay parallel."""
         return self.along.linearization
 
     @property
     def second_variation(self) -> SecondVariation:
-        """In the motions in which the directions stay parallel."""
+        """The second variation for the motions in which the directions stay parallel."""
         return self.along.second_variation
 
     @cached_property
     def necessary(self) -> Criterion:
-        """Spectral, in the motions in which the directions stay parallel."""
+        """The spectral criterion for the motions in which the directions stay parallel."""
         return replace(self.along.necessary, modulo=())
 
     @cached_property
     def sufficient(self) -> Criterion:
-        """K is positive definite across the directions: at rest, or where ω·π is conserved."""
+        """The criterion that K is positive definite across the directions.
+
+        It is one at rest, or if ω·π is conserved; in any other motion it never holds.
+        """
         eq, beta = self.equilibrium, coupling_at_rest(self.equilibrium)
         if beta is None:
             return Criterion(Notion.FORMAL, ())
@@ -81,21 +90,22 @@ class ParallelReport(Report):
 
     @property
     def casimirs_only(self) -> Criterion:
-        """The same: of the integrals none is used."""
+        """The criterion with the Casimirs alone, which is sufficient: it uses no given integrals."""
         return self.sufficient
 
     @cached_property
     def secular(self) -> Secular:
-        """What internal damping makes of it."""
+        """What is decided under internal damping."""
         return ParallelSecular(self.equilibrium)
 
     def decide(self, numbers: Point, margins: dict[Expr, Expr]) -> Decision:
-        """As Report.decide: against all motions."""
+        """Return the decision at exact numbers, against all motions."""
         if holds(self.sufficient, numbers, margins):
             return settled(True, AT_REST if at_rest(self.equilibrium) else TURNS, Rung.SECOND_VARIATION)
         if self.equilibrium != (here := placed(self.equilibrium, numbers)):
             found = ParallelReport(here).decide(Point({}), {})
             return replace(found, reason=f"at these numbers {found.reason}")
+        # an unstable motion there is unstable among all; a stable one need not be
         found = self.along.decide(numbers, margins)
         if found.stable:
             return undecided(f"where the directions stay parallel it is stable; {OTHERS}")
@@ -103,38 +113,38 @@ class ParallelReport(Report):
 
 
 class ParallelSecular(Secular):
-    """Under internal damping: what is lost where the directions stay parallel is lost."""
+    """What is decided under internal damping: if stability is lost with parallel directions, it is lost."""
 
     @cached_property
     def along(self) -> Secular:
-        """In the motions in which the directions stay parallel."""
+        """What is decided under damping for the motions in which the directions stay parallel."""
         return Report(parallel_directions(self.equilibrium)).secular
 
     @property
     def variation(self) -> SecondVariation:
-        """In the motions in which the directions stay parallel."""
+        """The second variation for the motions in which the directions stay parallel."""
         return self.along.variation
 
     @cached_property
     def compared(self) -> tuple[str, ...]:
-        """Names in both criteria, this and that of the motions in which the directions stay parallel."""
+        """The names in both criteria, this one and that of the motions with parallel directions."""
         return names_needed(self.equilibrium, (self.criterion, self.along.criterion))
 
     @property
     def exceptions(self) -> tuple[tuple[Expr, ...], ...]:
-        """Everywhere: the criterion is not necessary."""
+        """The exceptions are everywhere: the criterion is not necessary."""
         return ((),)
 
     @cached_property
     def criterion(self) -> Criterion:
-        """At rest, K is positive definite across the directions."""
+        """The criterion that K is positive definite across the directions, at rest."""
         eq = self.equilibrium
         if not at_rest(eq):
             return Criterion(Notion.SECULAR, ())
         return independent(least_across(eq, _coupling(eq), Notion.SECULAR), eq)
 
     def decide(self, numbers: Point, margins: dict[Expr, Expr]) -> Decision:
-        """As Secular.decide."""
+        """Return the decision under internal damping at exact numbers, against all motions."""
         if holds(self.criterion, numbers, margins):
             return settled(True, AT_REST, Rung.SECOND_VARIATION, Notion.SECULAR, growing=0)
         if self.equilibrium != (here := placed(self.equilibrium, numbers)):
@@ -146,12 +156,12 @@ class ParallelSecular(Secular):
 
 
 def at_rest(eq: Equilibrium) -> bool:
-    """Whether the body does not turn: ∂h/∂π = 0."""
+    """Tell whether the body does not turn: ∂h/∂π = 0."""
     return not any(residual_of(eq.at_point(x), eq.insert) for x in eq.system.energy_gradient.flat()[:3])
 
 
 def coupling_at_rest(eq: Equilibrium) -> ImmutableMatrix | None:
-    """β with which the body is at rest: its own, or β − ω where ω·π is conserved; else None."""
+    """Return the β with which the body is at rest: its own, or β − ω if ω·π is conserved; else None."""
     if at_rest(eq):
         return _coupling(eq)
     scene, rate = eq.system, ImmutableMatrix(eq.system.energy_gradient.flat()[:3]).applyfunc(eq.at_point)
@@ -168,9 +178,10 @@ def _coupling(eq: Equilibrium) -> ImmutableMatrix:
 
 
 def least_across(eq: Equilibrium, beta: ImmutableMatrix, notion: Notion) -> Criterion:
-    """K with a coupling β is positive definite across the directions.
+    """Return the criterion that K with a coupling β is positive definite across the directions.
 
-    Along an axis of the body by leading minors, else by t and s, trace and determinant across.
+    If they are along an axis of the body, it is by leading minors, else by t and s, trace and determinant
+    across.
     """
     K = stiffness_with(eq, beta)
     a = eq.point[3:6] if any(eq.point[3:6]) else eq.point[6:]

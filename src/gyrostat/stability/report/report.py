@@ -1,4 +1,4 @@
-"""Report: the stability analysis of one equilibrium, and its verdicts at numbers."""
+"""The stability analysis of one equilibrium, and its verdicts at exact numbers."""
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
@@ -32,23 +32,23 @@ class Report(Ladder):
     Examples
     --------
     >>> import gyrostat as gs
-    >>> report = gs.analyze(gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())))
-    >>> report.required
+    >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
+    >>> gs.analyze(gs.upright(top)).required
     ('I1', 'l', 'm0', 'pi3_0')
     """
 
     @property
     def closed(self) -> "ClosedForm | None":
-        """Of permanent rotations in any direction the names in which the conditions are."""
+        """The names in which conditions of permanent rotations in any direction are written; else None."""
         return None
 
     @property
     def along(self) -> "Report | None":
-        """Where directions are parallel, that of the motions in which they stay so."""
+        """The report of the motions in which two parallel directions stay parallel; else None."""
         return None
 
     def verdict(self, values: Mapping[str, Any], damped: bool = False) -> Decision:
-        """The verdict at a point, exact, equality included.
+        """Return the verdict at given numbers, exactly, equality included.
 
         Parameters
         ----------
@@ -61,8 +61,9 @@ class Report(Ladder):
         Returns
         -------
         Decision
-            STABLE (Lyapunov, modulo what it says), UNSTABLE, or UNDECIDED on the boundary and wherever the
-            sign of a transcendental margin, or that the point is on the family, is not proved
+            STABLE (Lyapunov, modulo what it says), UNSTABLE, or UNDECIDED: if no theorem of the ladder
+            decides, or if the sign of a transcendental margin, or that the point is on the family, is not
+            proved
 
         Raises
         ------
@@ -73,12 +74,17 @@ class Report(Ladder):
         Examples
         --------
         >>> import gyrostat as gs
-        >>> report = gs.analyze(gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())))
-        >>> report.verdict({"I1": 1, "I3": "1/2", "l": 2, "pi3_0": 1, "dU": 2}).verdict
+        >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())
+        >>> report = gs.analyze(gs.upright(top))
+        >>> numbers = {"I1": 1, "I3": "1/2", "l": 2, "pi3_0": 1, "dU": 2}
+        >>> report.verdict(numbers).verdict
         <Verdict.STABLE: 'a sufficient condition for stability is proved to hold'>
-        >>> spin = gs.analyze(gs.principal_rotation(gs.assemble(gs.Gyrostat((3, 2, 1), (0, 0, 0))), 3))
-        >>> spin.verdict({"omega3_0": 1}).verdict.name, spin.verdict({"omega3_0": 1}, damped=True).growing
-        ('STABLE', 2)
+        >>> free = gs.assemble(gs.Gyrostat((3, 2, 1), (0, 0, 0)))
+        >>> spin = gs.analyze(gs.principal_rotation(free, 3))
+        >>> spin.verdict({"omega3_0": 1}).verdict.name
+        'STABLE'
+        >>> spin.verdict({"omega3_0": 1}, damped=True).growing
+        2
         """
         if damped is not False and damped is not True:
             require(damped, bool, "damped")
@@ -87,7 +93,7 @@ class Report(Ladder):
 
     def _asked(self, values: Mapping[str, Any], names: Sequence[str],
                decide: Callable[[Point, dict[Expr, Expr]], Decision]) -> Decision:
-        """What decides at exact numbers, asked at values of some names."""
+        """Return the decision of a decider at exact numbers, checked against the names that it needs."""
         numbers = exact_values(self.equilibrium, values, names, self.parameters)
         margins: dict[Expr, Expr] = {}
         found = undecided(numbers.doubt) if numbers.doubt else decide(numbers, margins)
@@ -96,14 +102,14 @@ class Report(Ladder):
 
     @checked
     def normal_form(self, values: Mapping[str, Any], degree: int = 4) -> "NormalForm":
-        """Birkhoff's normal form of a body in a field near the equilibrium, on its orbit.
+        """Return Birkhoff's normal form of a body in a field near the equilibrium, on its coadjoint orbit.
 
         Parameters
         ----------
         values : mapping of name to number
-            as in verdict; where U is unspecified, its derivatives up to the degree
+            as in verdict; if U is unspecified, its derivatives up to the degree besides
         degree : int
-            4, or 6
+            4 or 6, the degree in the canonical coordinates
 
         Returns
         -------
@@ -116,8 +122,8 @@ class Report(Ladder):
         ValuesError
             as in verdict
         ScopeError
-            a free body; an unstable or degenerate equilibrium, or equal frequencies; a resonance of lower
-            degree
+            a free body; an unstable or degenerate equilibrium, or equal frequencies; a resonance that leaves
+            a term which is no function of the actions
 
         References
         ----------
@@ -126,8 +132,10 @@ class Report(Ladder):
         Examples
         --------
         >>> import gyrostat as gs
-        >>> report = gs.analyze(gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())))
-        >>> form = report.normal_form({"I1": 1, "I3": 1, "l": 0, "m0": 2, "pi3_0": 3})
+        >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
+        >>> report = gs.analyze(gs.upright(top))
+        >>> numbers = {"I1": 1, "I3": 1, "l": 0, "m0": 2, "pi3_0": 3}
+        >>> form = report.normal_form(numbers)
         >>> form.twists, form.resonances
         ((12,), ((1, 2),))
         """
@@ -136,12 +144,12 @@ class Report(Ladder):
 
     @checked
     def window(self, values: Mapping[str, Any] | None = None) -> "Window":
-        """D4 as the rational function of the names that have no number, and the conditions beside it.
+        """Return D4 as a rational function of the names that have no number, and the conditions beside it.
 
         Parameters
         ----------
         values : mapping of name to number
-            rational, any of the names of a verdict
+            rational, for any of the names of a verdict; default none
 
         Returns
         -------
@@ -156,16 +164,18 @@ class Report(Ladder):
 
         References
         ----------
-        Arnold, Sov. Math. Dokl. 2 (1961) 247-249; averages gives the formula.
+        Arnold, Sov. Math. Dokl. 2 (1961) 247-249, for the theorem; the formula is derived (D4 by averages).
 
         Examples
         --------
         >>> import gyrostat as gs
-        >>> scene = gs.assemble(gs.Gyrostat((5, 4, 3), (0, 0, 0)), gs.uniform_field())
+        >>> body = gs.Gyrostat((5, 4, 3), (0, 0, 0))
+        >>> scene = gs.assemble(body, gs.uniform_field())
         >>> report = gs.analyze(gs.upright(scene))
         >>> report.window({"m0": 1}).q
         (pi3_0**2 + 9)*(2*pi3_0**2 + 9)/1620
-        >>> report.window({"m0": 1, "pi3_0": 9}).D4 == report.normal_form({"m0": 1, "pi3_0": 9}).twists[0]
+        >>> numbers = {"m0": 1, "pi3_0": 9}
+        >>> report.window(numbers).D4 == report.normal_form(numbers).twists[0]
         True
         """
         refuse_any_direction(self.equilibrium)
@@ -174,11 +184,12 @@ class Report(Ladder):
 
     @checked
     def itself(self, values: Mapping[str, Any]) -> Decision:
-        """The decision on the point itself, where verdict speaks of it modulo a flow.
+        """Return the decision about the point itself, where verdict speaks of it modulo a flow.
 
-        Otherwise the same as verdict. A tilted equilibrium that is stable modulo the spin is not Lyapunov
-        stable as a point: relative equilibria near it drift along its orbit (Drift). margins has D, which is
-        not 0 where the linearised flow grows too, by a Jordan block.
+        If verdict divides out no flow, the answer is the same. A tilted equilibrium that is stable modulo the
+        spin is not Lyapunov stable as a point, with one exception: relative equilibria near it drift along
+        its orbit (Drift). The margins have D, which is not 0 if the linearised flow grows too, by a Jordan
+        block.
 
         Parameters
         ----------
@@ -198,7 +209,8 @@ class Report(Ladder):
         Examples
         --------
         >>> import gyrostat as gs
-        >>> report = gs.analyze(gs.inclined(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())))
+        >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())
+        >>> report = gs.analyze(gs.inclined(top))
         >>> values = {"I1": 4, "I3": 5, "l": 2, "omega": 1, "k3": 0, "d2U": 0}
         >>> report.verdict(values).verdict.name, report.itself(values).verdict.name
         ('STABLE', 'UNSTABLE')

@@ -1,4 +1,7 @@
-"""The report of permanent rotations in any direction: decided in closed form, no matrix is derived."""
+"""The report of permanent rotations in any direction, by the amended potential in closed form.
+
+No matrix is derived: trace and determinant of D²U_c across k, p and q decide.
+"""
 from collections.abc import Iterable
 from dataclasses import replace
 
@@ -24,12 +27,13 @@ NO_MATRIX = ("in any direction k1, k2, k3 no matrix is derived, the conditions a
 
 
 class RotationReport(Report):
-    """Of a family in k1, k2, k3, by the trace and the determinant of D²U_c across k, by p and q.
+    """The report of a family in k1, k2, k3, by trace and determinant of D²U_c across k, by p and q.
 
     Examples
     --------
     >>> import gyrostat as gs
-    >>> scene = gs.assemble(gs.Gyrostat(gyrostatic_momentum=(0, 0, 0)), gs.general_potential())
+    >>> body = gs.Gyrostat(gyrostatic_momentum=(0, 0, 0))
+    >>> scene = gs.assemble(body, gs.general_potential())
     >>> print(gs.analyze(gs.permanent_rotation(scene)).sufficient)
     t > 0 and s > 0
     """
@@ -41,32 +45,35 @@ class RotationReport(Report):
 
     @property
     def linearization(self) -> Linearization:
-        """Refused: a matrix has one pivot for all directions."""
+        """Refuse: a matrix for all directions would have one pivot, which vanishes for some of them."""
         raise ScopeError(NO_MATRIX)
 
     @property
     def second_variation(self) -> SecondVariation:
-        """Refused, as the linearisation."""
+        """Refuse, as the linearisation does."""
         raise ScopeError(NO_MATRIX)
 
     @cached_property
     def necessary(self) -> Criterion:
-        """p ≥ 0, q ≥ 0, p² − 4q ≥ 0."""
+        """The spectral criterion p ≥ 0, q ≥ 0, p² − 4q ≥ 0."""
         return self.closed.criterion(Notion.SPECTRAL)
 
     @cached_property
     def sufficient(self) -> Criterion:
-        """t > 0, s > 0: D²U_c is positive definite across k."""
+        """The formal criterion t > 0, s > 0: D²U_c is positive definite across k."""
         return self.closed.criterion(Notion.FORMAL)
 
     @property
     def casimirs_only(self) -> Criterion:
-        """The same: integrals that are given take part at numbers."""
+        """The formal criterion with the Casimirs alone, which is sufficient.
+
+        Given integrals take part at numbers.
+        """
         return self.sufficient
 
     @property
     def boundary(self) -> None:
-        """None: between the two, the rotation at numbers is asked."""
+        """None: between the two criteria the rotation at numbers is asked."""
 
     @property
     def recognised(self) -> None:
@@ -74,21 +81,21 @@ class RotationReport(Report):
 
     @cached_property
     def compared(self) -> tuple[str, ...]:
-        """Names that a verdict needs."""
+        """The names that a verdict needs."""
         return self.closed.required
 
     @cached_property
     def required(self) -> tuple[str, ...]:
-        """The same: all of the scene."""
+        """The names with which every verdict is answered: all of the scene."""
         return self.closed.required
 
     @cached_property
     def secular(self) -> "DampedRotation":
-        """What internal damping makes of it."""
+        """The second variation under internal damping, and what it decides."""
         return DampedRotation(self.equilibrium)
 
     def decide(self, numbers: Point, margins: dict[Expr, Expr]) -> Decision:
-        """As Report.decide."""
+        """Return the decision by t and s, then by p and q; else that of the rotation at these numbers."""
         form, own = self.closed.at(numbers), self.closed.named
         margins |= {own.trace: form.trace, own.determinant: form.determinant}
         if _signs([form.trace, form.determinant]) == [1, 1]:
@@ -107,27 +114,28 @@ class DampedRotation(Secular):
 
     @cached_property
     def criterion(self) -> Criterion:
-        """t > 0, s > 0."""
+        """The secular criterion t > 0, s > 0."""
         return closed_form(self.equilibrium).criterion(Notion.SECULAR)
 
     @cached_property
     def compared(self) -> tuple[str, ...]:
-        """Names that the criterion needs."""
+        """The names that the criterion needs."""
         return closed_form(self.equilibrium).required
 
     @cached_property
     def required(self) -> tuple[str, ...]:
-        """The same: all of the scene."""
+        """The names with which every verdict is answered: all of the scene."""
         return self.compared
 
     def decide(self, numbers: Point, margins: dict[Expr, Expr]) -> Decision:
-        """As Secular.decide: by t and s, where the damping reaches every motion; else at numbers."""
+        """Return the decision by t and s if the damping reaches every motion; else that at these numbers."""
         closed = closed_form(self.equilibrium)
         form = closed.at(numbers)
         margins |= {closed.named.trace: form.trace, closed.named.determinant: form.determinant}
         trace, determinant = _signs([form.trace, form.determinant])
         if trace == determinant == 1:
             return KEEPS
+        # M × k ≠ 0: k does not move by itself, and damping reaches every motion
         growing = determinant and sign_changes((trace, determinant))
         if growing and any(_signs([evaluate(x, numbers) for x in closed.momentum_across])):
             return lost(growing)

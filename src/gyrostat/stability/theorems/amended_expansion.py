@@ -1,6 +1,7 @@
-"""The amended potential on the sphere of directions, expanded beyond the second variation.
+"""Expands the amended potential on the sphere of directions beyond the second variation, and decides by it.
 
-Minima of higher degree, and maxima at rest.
+A leading form of a definite sign proves a minimum, or a gyroscopically stabilised maximum; at rest a negative
+value of it proves instability.
 """
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -27,13 +28,13 @@ X, Y, SIZE = Dummy("x", real=True), Dummy("y", real=True), Dummy("size", real=Tr
 
 @dataclass(frozen=True)
 class Amended:
-    """U_c(k) = U(k) + (c − l·k)²/(2 k·Ik) near an equilibrium at given numbers, c the value of C1 = M·k
-    there.
+    """The amended potential U_c(k) = U(k) + (c − l·k)²/(2 k·Ik) near an equilibrium, c the value of C1 there.
 
-    On the orbit h is U_c plus a positive square in π, so h has a strict minimum where U_c has one on abs(k)
-    = 1: Lyapunov stable (Lagrange, Dirichlet). Where U_c has none, only a motion at rest with l = 0 is
-    decided: there the system is a natural one, and an expansion that begins with a form which takes
-    negative values makes it unstable (Chetaev; Kozlov).
+    On the orbit h is U_c plus a positive square in π, so h has a strict minimum if U_c has one on abs(k) = 1:
+    Lyapunov stable (Lagrange, Dirichlet). If U_c has none, a motion at rest with l = 0 is decided: there the
+    system is a natural one, and an expansion that begins with a form which takes negative values makes it
+    unstable (Chetaev; Kozlov). With gyroscopic forces one case is decided, that of two imaginary eigenvalues
+    beside 0 (Sokolskii).
 
     Parameters
     ----------
@@ -46,7 +47,7 @@ class Amended:
     ----------
     Simo, Lewis & Marsden, Arch. Rational Mech. Anal. 115 (1991) 15-59, for U_c; Chetaev, The Stability of
     Motion (1961), §17; Kozlov, J. Appl. Math. Mech. 50 (1986) 719-725, for a form that takes negative values
-    without being definite.
+    without being definite; Sokolskii, J. Appl. Math. Mech. 41 (1977) 20-28, for a zero frequency.
     """
 
     equilibrium: Equilibrium
@@ -56,18 +57,19 @@ class Amended:
     def natural(self) -> bool:
         """Whether π = 0 and l = 0.
 
-        The reduced motion is that of a natural system, without gyroscopic forces.
+        Then the reduced motion is that of a natural system, without gyroscopic forces.
         """
         pi, rotor, _ = self._vectors
         return all(sign_of_constant(x) == 0 for x in (*pi, *rotor))
 
     def forms(self, degree: int) -> list[Form]:
-        """U_c − U_c(k0) in homogeneous parts of degree 0 to the degree given, k = ((4 − abs(ξ)²) k0 + 4 ξ)/(4
-        + abs(ξ)²), ξ ⟂ k0.
+        """Return U_c − U_c(k0) in homogeneous parts, of degree 0 to the degree given.
+
+        The coordinates are stereographic: k = ((4 − abs(ξ)²) k0 + 4 ξ)/(4 + abs(ξ)²), ξ ⟂ k0.
         """
         pi, rotor, k0 = self._vectors
         tensor = self.equilibrium.system.body.tensor.applyfunc(self._value)
-        # two products eᵢ × k0, independent
+        # two products eᵢ × k0 span the tangent plane if the third component of k0 is not 0
         ahead = next(n for n in (2, 1, 0) if sign_of_constant(k0[n]))
         across = [cross(tuple(S.One if n == m else S.Zero for n in range(3)), k0)
                   for m in range(3) if m != ahead]
@@ -87,7 +89,7 @@ class Amended:
         tops, bottoms = ([ring.reduce(part)
                           for part in by_degree(f, index, max(int(f.degrees()[index]), degree))]
                          for f in (top, bottom))
-        parts: list[Any] = []                               # f_n = parts[n]/bottoms[0]^(n + 1)
+        parts: list[Any] = []                               # long division: f_n = parts[n]/bottoms[0]^(n + 1)
         for n in range(degree + 1):
             part = tops[n] * bottoms[0] ** n
             for m in range(n):
@@ -97,12 +99,16 @@ class Amended:
                       for n, part in enumerate(parts) if n > 0)]
 
     def decide(self, oscillates: bool) -> Decision:
-        """Whether the equilibrium is stable where the second variation is degenerate, None: not known.
+        """Return the decision at an equilibrium whose second variation is degenerate.
 
         Parameters
         ----------
         oscillates : bool
-            p > 0: beside the eigenvalue 0 there are imaginary ones
+            whether p > 0: beside the eigenvalue 0 there are two imaginary ones
+
+        Returns
+        -------
+        Decision
         """
         values, which = self.leading()
         if values is None:
@@ -125,9 +131,11 @@ class Amended:
         return undecided(f"{said}takes negative values: gyroscopic forces may hold the motion")
 
     def leading(self) -> tuple[set[int] | None, str]:
-        """The signs that the leading form takes, and which form it is; None, and why, if they are not proved.
+        """Return the signs that the leading form takes, and which form it is.
 
-        Where it is of degree 2 and vanishes along a direction, the leading form along the valley there.
+        They are None, and why, if they are not proved. If the form is of degree 2 and vanishes along a
+        direction, the leading form along the valley in that direction is meant: along the curve on which U_c
+        is least, or greatest, in the other direction.
         """
         if self.equilibrium.near_pole is not None:
             return None, "the second variation is degenerate, and U has powers of 1 ∓ k3 that are not whole"
@@ -144,7 +152,7 @@ class Amended:
         return None, f"up to degree {HIGHEST} the amended potential does not change along a direction"
 
     def _expanded(self, degree: int) -> tuple[set[int] | None, str]:
-        """The signs by the terms up to a degree; no form where they vanish along a direction."""
+        """Return the signs by the terms up to a degree; no form if these terms vanish along a direction."""
         forms = self.forms(degree)
         first = next((n for n, form in enumerate(forms) if form), 0)
         if first == 0:
@@ -159,8 +167,9 @@ class Amended:
         return None, ""
 
     def _slopes(self, degree: int) -> dict[tuple[int, ...], Expr]:
-        """The derivatives of U at the point that are not 0, up to the degree, by how often each of k1, k2, k3
-        is differentiated.
+        """Return the derivatives of U at the point that are not 0, up to the degree.
+
+        The keys say how often each of k1, k2, k3 is differentiated.
         """
         potential = self.equilibrium.system.potential
         assert potential is not None
@@ -185,18 +194,18 @@ class Amended:
         return symbol(jet_name(sum(orders), axes))
 
     def _value(self, expression: Expr) -> Expr:
-        """At the point and the numbers."""
+        """Insert the point and the numbers."""
         value = self.equilibrium.insert(self.equilibrium.at_point(expression))
         return evaluate(value, self.numbers) if value.free_symbols <= self.numbers.keys() else value
 
     @cached_property
     def _vectors(self) -> list[tuple[Expr, ...]]:
-        """π, l and k."""
+        """The vectors π, l and k."""
         point, rotor = self.equilibrium.point, self.equilibrium.system.body.gyrostatic_momentum
         return [tuple(map(self._value, vector)) for vector in (point[:3], rotor, point[3:])]
 
 
 def _form(value: Expr) -> Form:
-    """The coefficients of a form in x and y that are not proved to vanish."""
+    """Return the coefficients of a form in x and y that are not proved to vanish."""
     terms = Poly(value, X, Y).terms() if value != 0 else []
     return {orders: c for orders, c in terms if sign_of_constant(c) != 0}

@@ -1,6 +1,6 @@
-"""What decides on the boundary between the two criteria.
+"""Decides a body of revolution between the two criteria, by the reduced motion of its tilt.
 
-The first coefficient of the reduced motion that does not vanish.
+The first coefficient of I1² k̇3² = g(k3) that does not vanish decides.
 """
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
@@ -23,7 +23,7 @@ from ..criteria.truth import sign_at
 from ..decision import Decision, settled, undecided
 from ..decision import Rung as Decided
 
-# power of x up to which the ladder of a transcendental U goes
+# power of x up to which the ladder of a transcendental U goes: it has no last rung
 HIGHEST = 24
 
 
@@ -34,11 +34,12 @@ class Rung:
     Parameters
     ----------
     power : int or Rational
-        a fraction at a pole where U has such powers
+        a fraction at a pole at which U has such powers
     condition : Condition
-        margin > 0: the coefficient is negative
+        that the coefficient is negative, margin > 0
     escapes : bool
-        the power is odd and k3 may move both ways: unstable whatever the sign
+        whether the power is odd and k3 may move both ways: then g > 0 on one side, and the equilibrium is
+        unstable whatever the sign
     """
 
     power: int | Rational
@@ -46,19 +47,18 @@ class Rung:
     escapes: bool
 
     def stable(self, sign: Any) -> Any:
-        """Whether the equilibrium is stable where the sign of the condition, one or an array, is not 0."""
+        """Tell whether the equilibrium is stable, by the sign of the condition, one or an array, not 0."""
         return (sign > 0) & (not self.escapes)
 
 
 @dataclass(frozen=True, repr=False)
 class Boundary(Shown, Stored):
-    """The ladder of cases where the necessary condition holds with equality, for a body of revolution in
-    U(k3).
+    """The reduced motion that decides if the necessary condition holds with equality: a body in U(k3).
 
-    On the level of the equilibrium I1² k̇3² = g = c₃ x³ + c₄ x⁴ + …, with k3 = ±(1 − x), x ≥ 0, at E1 and E2
-    and k3 + x at a tilt. The first coefficient that is not 0 decides: where g < 0 beside the point, k3 is
-    held (Lyapunov stable, modulo the spin at a tilt), where g > 0 on a side, a motion leaves along it. If all
-    vanish, g = 0 and every k3 nearby is a motion: unstable. At a pole where U(k3) has roots the powers are
+    On the level of the equilibrium I1² k̇3² = g = c₃ x³ + c₄ x⁴ + …, where k3 = ±(1 − x), x ≥ 0, at E1 and E2
+    and k3 + x at a tilt. The first coefficient that is not 0 decides. If g < 0 beside the point, k3 stays
+    near it: Lyapunov stable, modulo the spin at a tilt. If g > 0 on a side, a motion leaves along it. If all
+    vanish, g = 0 and every k3 nearby is a motion: unstable. At a pole at which U(k3) has roots the powers are
     fractions (mechanics.near_pole, which says what is asked of U there).
 
     Parameters
@@ -67,7 +67,7 @@ class Boundary(Shown, Stored):
 
     References
     ----------
-    Derived; of the first rung at E1, Lerman, arXiv:dg-ga/9608010; the sleeping top, Cushman & Bates, Global
+    Derived. The first rung at E1: Lerman, arXiv:dg-ga/9608010; the sleeping top: Cushman & Bates, Global
     Aspects of Classical Integrable Systems, chapter V.
     """
 
@@ -75,12 +75,12 @@ class Boundary(Shown, Stored):
 
     @property
     def pole(self) -> bool:
-        """Whether k3 = ±1, where the tilt grows on one side only."""
+        """Whether k3 = ±1, at which the tilt grows on one side only."""
         return bool(self.equilibrium.at**2 == 1)
 
     @cached_property
     def last(self) -> int | None:
-        """The power above which nothing new comes, of a rational U.
+        """The power above which no coefficient is new, for a rational U.
 
         None if U is unspecified or transcendental.
         """
@@ -95,7 +95,7 @@ class Boundary(Shown, Stored):
         return 2 + max(int(part.degrees()[place]) for part in ring.fraction(potential.expression))
 
     def rungs(self) -> Iterator[Rung]:
-        """The ladder from below, each rung derived when it is reached.
+        """Yield the ladder from below, each rung derived when it is reached.
 
         Examples
         --------
@@ -115,16 +115,17 @@ class Boundary(Shown, Stored):
             power += step
 
     def decisive(self) -> Iterator[Rung]:
-        """The ladder with the coefficient of x² below it, which is 0 where the criteria are those of g.
+        """Yield the ladder from x² on, which decides whatever the criteria are.
 
-        It starts at x², because the criteria can be weaker than g: for example if π is fixed, whatever the
-        axis, or if the scene holds numbers whose relations the criteria do not see.
+        The coefficient of x² is 0 on the boundary if the criteria are those of g. They can be weaker than g:
+        for example if π is fixed, whatever the axis, or if the scene holds numbers whose relations the
+        criteria do not see.
         """
         yield self.rung(2)
         yield from self.rungs()
 
     def rung(self, power: int | Rational) -> Rung:
-        """The rung of one power of x, from 2 on."""
+        """Return the rung of one power of x, from 2 on."""
         if power not in self._known:
             eq, order = self.equilibrium, 5
             while order < power:
@@ -143,25 +144,29 @@ class Boundary(Shown, Stored):
         return {}
 
     def ladder(self, limit: int | None = None) -> Iterator[Expr]:
-        """What decides, rung by rung: stable where the first that is not 0 is positive."""
+        """Yield what decides, rung by rung: it is stable if the first that is not 0 is positive."""
         for rung in islice(self.rungs(), limit if self.last is None else None):
             value = Mul(rung.condition.margin, *(e**2 for e in rung.condition.degenerate))
             yield -(value**2) if rung.escapes else value
 
     def expressions(self) -> Iterator[Expr]:
-        """The margins and even factors of the ladder, as far as it goes or to its third rung."""
+        """Yield the margins and even factors of the ladder, as far as it goes or to its third rung."""
         for rung in islice(self.decisive(), 3 if self.last is None else None):
             yield from (rung.condition.margin, *rung.condition.degenerate)
 
     def decide(self, numbers: Mapping[Symbol, Expr], margins: dict[Expr, Expr]) -> Decision:
-        """The decision at numbers on the boundary.
+        """Return the decision at numbers on the boundary.
 
         Parameters
         ----------
         numbers : mapping of Symbol to Expr
             exact
         margins : dict
-            the margins used are entered
+            the margins that are used are entered
+
+        Returns
+        -------
+        Decision
         """
         for rung in self.decisive():
             condition = rung.condition
@@ -194,7 +199,7 @@ class Boundary(Shown, Stored):
 
 @once
 def boundary_of(eq: Equilibrium) -> Boundary | None:
-    """The ladder of an equilibrium of a body of revolution with a definite tilt; else None."""
+    """Return the ladder of an equilibrium of a body of revolution with a definite tilt; else None."""
     tilt = S.One - eq.at**2
     if not tilt.free_symbols:
         return None if sign(tilt, {}) is None else Boundary(eq)

@@ -1,6 +1,6 @@
 """Tells whether a tilted equilibrium is stable as a point, not only modulo the spin.
 
-It is not where relative equilibria near it drift along its orbit under the spin; how fast they do is derived.
+It is not if relative equilibria near it drift along its orbit under the spin; how fast they do is derived.
 """
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -30,11 +30,11 @@ K3, OMEGA, DU, P = symbol("k3"), symbol("omega"), symbol("dU"), symbol("p_psi")
 
 @dataclass(frozen=True, repr=False)
 class Drift(Shown, Stored):
-    """Why a tilted equilibrium is not Lyapunov stable as a point, even where it is modulo the spin.
+    """Why a tilted equilibrium is not Lyapunov stable as a point, even if it is stable modulo the spin.
 
     Near it are regular precessions ω = W k + σ e3 with σ ≠ 0: they turn about the axis of the body at the
-    constant rate −σ, and leave the point, however close to it they start. The only exception: I1 = I3, l = 0,
-    U constant near k3, ω ≠ 0.
+    constant rate −σ, and leave the point, however close to it they start. The only exception is I1 = I3, l =
+    0, U constant near k3, and ω ≠ 0.
 
     Parameters
     ----------
@@ -57,18 +57,20 @@ class Drift(Shown, Stored):
 
     @cached_property
     def rates(self) -> tuple[Expr, Expr]:
-        """(∂σ/∂k3, ∂σ/∂ω) of the precessions near the point, σ = 0 at it [1/T, 1].
+        """The derivatives (∂σ/∂k3, ∂σ/∂ω) of the precessions near the point, σ = 0 at it [1/T, 1].
 
-        Where ω = 0 any σ goes with ω = 0.
+        They are those of the implicit function by the relation of a precession, affine in π3 + l = I3 (ω k3 +
+        σ) + l. If ω = 0, any σ goes with ω = 0.
 
         Examples
         --------
         >>> import gyrostat as gs
-        >>> Drift(gs.inclined(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential()))).rates[0]
+        >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())
+        >>> Drift(gs.inclined(top)).rates[0]
         (I1*omega**2 - I3*omega**2 + d2U)/(I3*omega)
         """
         scene = self.equilibrium.system
-        # affine in P = π3 + l, here I3 ω k3 + l
+        # the relation is affine in P = π3 + l, which is I3 ω k3 + l at the point
         relation, moment = reduce(scene).precession(), scene.body.moments[2]
         along, curved, across, slope = derivatives(relation, (K3, DU, OMEGA, P))
         here = {P: moment * OMEGA * K3 + scene.body.gyrostatic_momentum[2]}
@@ -78,14 +80,17 @@ class Drift(Shown, Stored):
 
     @cached_property
     def defect(self) -> Expr:
-        """D, 0 where the zero eigenvalue of the linearised field is semisimple.
+        """The polynomial D, which is 0 if the zero eigenvalue of the linearised field is semisimple.
 
-        Common factor of J³ + p J, for p ≠ 0.
+        It is the common factor of the entries of J³ + p J, for p ≠ 0. As the characteristic polynomial is λ²
+        (λ² + p), that matrix is a multiple of X (∇π3)ᵀ, X the field of the spin: 0 if and only if the
+        eigenvalue 0 has no Jordan block. Neither X nor the differential of π3 vanishes at a tilt.
 
         Examples
         --------
         >>> import gyrostat as gs
-        >>> Drift(gs.static_tilt(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential()))).defect
+        >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())
+        >>> Drift(gs.static_tilt(top)).defect
         -I1*d2U*k3**2 + I1*d2U + I3*d2U*k3**2 + l**2
         """
         eq = self.equilibrium
@@ -99,7 +104,7 @@ class Drift(Shown, Stored):
             common = common.gcd(ring.reduce(under * x + p * below**2 * y))
         common, _ = cancel(common, under * below**3)
         margin, even = Signs(ring, eq.existence()).split(common, ring.one)
-        # squares are positive
+        # its sign has no meaning: the one is chosen in which coefficients of squares have a positive sum
         if sum(c for exponents, c in margin.to_dict().items() if not any(e % 2 for e in exponents)) < 0:
             margin = -margin
         return Mul(*map(ring.expression, (margin, *even)))
@@ -113,9 +118,9 @@ class Drift(Shown, Stored):
         return self.equilibrium.insert(self._linearization.coefficients[0])
 
     def decide(self, numbers: Mapping[Symbol, Expr], margins: dict[Expr, Expr]) -> Decision:
-        """The decision on the point, which is stable modulo the spin.
+        """Return the decision about the point, which is stable modulo the spin.
 
-        Stable only in the exceptional case.
+        It is stable only in the exceptional case.
         """
         body = self.equilibrium.system.body
         wanted = names_in([self.defect, self._p, self.omega, *(self.rates if self.omega else ())])
@@ -146,7 +151,7 @@ class Drift(Shown, Stored):
         return settled(False, f"{turning}, at a rate σ of higher order; {linear}", Rung.DRIFT)
 
     def _constant(self, known: Mapping[Symbol, Expr]) -> bool | None:
-        """Whether U is constant at the values of its parameters, None if that is not proved."""
+        """Tell whether U is constant at the values of its parameters, None if that is not proved."""
         potential = self.equilibrium.system.potential
         if not potential or not potential.given or any(s not in known for s in potential.parameters):
             return None
@@ -176,11 +181,11 @@ class Drift(Shown, Stored):
 
 
 def drifts_along(eq: Equilibrium, found: Decision) -> Decision:
-    """The decision on a point at numbers that is stable modulo the flows of integrals.
+    """Return the decision about a point at numbers that is stable modulo the flows of integrals.
 
-    Where J y = X for the field X of such a flow, relative equilibria near the point move along X, at rates
-    that grow with their distance from it: the second variation is not degenerate across the flows, and they
-    go on smoothly with the values of the integrals.
+    If J y = X has a solution for the field X of such a flow, relative equilibria near the point move along X,
+    at rates that grow with their distance from it: the second variation is not degenerate across the flows,
+    and they go on smoothly with the values of the integrals.
 
     References
     ----------
@@ -201,7 +206,7 @@ def drifts_along(eq: Equilibrium, found: Decision) -> Decision:
 
 
 def _solvable(rows: Sequence[Sequence[Expr]], right: Sequence[Expr]) -> bool:
-    """Whether it is proved that linear equations at numbers have a solution."""
+    """Tell whether it is proved that linear equations at numbers have a solution."""
     whole = Matrix([[*row, x] for row, x in zip(rows, right)])
     try:
         return rank(whole) == rank(whole[:, :-1])

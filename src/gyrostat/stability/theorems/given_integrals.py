@@ -1,4 +1,4 @@
-"""What integrals that are given prove where the second variation with the Casimirs alone is indefinite."""
+"""Decides by integrals that the user gives, if the second variation with the Casimirs alone is indefinite."""
 from dataclasses import replace
 from typing import Any
 
@@ -25,12 +25,12 @@ from ..notion import Notion
 
 
 def integral_criterion(linearization: Linearization) -> Criterion:
-    """Sufficient for stability: for some α the second variation of h + α F is definite on the orbit.
+    """Return the criterion that for some α the second variation of h + α F is definite on the orbit.
 
-    F an integral given that is critical there. Where p, q and p² − 4q are positive the oscillations are two,
-    and the linearised flow of F, which commutes with that of h, A, is a A + b A³: α exists iff b ≠ 0, so that
-    α is eliminated. Where one of the three vanishes, and of what is conserved where C1 = 0 only, points are
-    decided by Report.verdict.
+    It is sufficient for stability. F is a given integral that is critical there. If p, q and p² − 4q are
+    positive, there are two oscillations, and the linearised flow B of F, which commutes with that of h, A, is
+    a A + b A³: a suitable α exists iff b ≠ 0, which eliminates α. Points at which one of the three vanishes,
+    and integrals that are conserved for C1 = 0 only, are decided by Report.verdict.
 
     Parameters
     ----------
@@ -58,9 +58,11 @@ def integral_criterion(linearization: Linearization) -> Criterion:
 
 
 def _where_none(eq: Equilibrium, F: Expr) -> tuple[Expr, ...] | None:
-    """What vanishes where b = 0: the factors of tr A² tr A³B − tr A⁴ tr AB = 4 b q (p² − 4q).
+    """Return what vanishes if b = 0: the factors of tr A² tr A³B − tr A⁴ tr AB = 4 b q (p² − 4q).
 
-    None where that is 0 everywhere. A and B are the derivatives of both fields, 0 across the orbit.
+    None if that is 0 everywhere. The identity follows from tr A² = −2p, tr A⁴ = 2(p² − 2q), tr A⁶ = −2p (p² −
+    3q). A and B are the derivatives of both fields in all coordinates. Both map into the tangent space of the
+    orbit, so that these traces are those on the orbit.
     """
     space = eq.system.space
     field = space.tensor * space.gradient(F)
@@ -82,9 +84,10 @@ def _trace(ring: Ring, matrix: list[Any]) -> fmpq_mpoly:
 
 
 def decide_by_integrals(eq: Equilibrium, numbers: Point) -> Decision:
-    """Whether the second variation of h + Σ α F is definite on the orbit for some α: then it is stable.
+    """Return STABLE if the second variation of h + Σ α F is definite on the orbit for some α.
 
-    F are the integrals given, critical there on the orbit. Where none is used, why is "" or says it.
+    The F are the given integrals that are critical there on the orbit. If none is used, the reason says why,
+    or is "".
 
     References
     ----------
@@ -97,9 +100,9 @@ def decide_by_integrals(eq: Equilibrium, numbers: Point) -> Decision:
         return undecided(f"give {', '.join(missing)} to decide by the integrals")
     try:
         here = placed(eq, numbers)
-    except EquilibriumError:                               # not proved to be one
+    except EquilibriumError:                               # the point is not proved to be an equilibrium
         return undecided("")
-    if critical_integrals(here)[1]:                        # a flow is to be divided out
+    if critical_integrals(here)[1]:                        # a flow has to be divided out: not done here
         return undecided("")
     names = {F: f"F{n}" for n, F in enumerate(here.system.integrals, 1)}
     on_level, idle, used = here.system.integrals_at(here.point), list[str](), list[Expr]()

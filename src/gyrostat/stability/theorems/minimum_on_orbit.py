@@ -1,4 +1,8 @@
-"""Whether the energy is least on the orbit where its second variation is degenerate."""
+"""Tells whether the energy is least on the orbit where its second variation is degenerate.
+
+A free body is decided on the momentum sphere, a body of revolution by its amended potential in k3, any other
+by the leading form of the amended potential on the sphere of directions.
+"""
 from collections.abc import Iterator, Mapping
 
 from sympy import Add, Expr, Rational, S, Symbol
@@ -11,14 +15,14 @@ from .amended_expansion import Amended
 from .momentum_sphere import extremum_at
 
 Least = tuple[bool | None, str]
-HIGHEST = 24                                               # the power of k3 up to which W is expanded
+HIGHEST = 24                                               # the power of x up to which W is expanded
 NO_SIGN = "a sign is not proved"
 
 
 def least_at(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> Least:
-    """Whether h has a strict minimum on the orbit, modulo the symmetries; None if that is not proved.
+    """Return whether h has a strict minimum on the orbit, modulo the symmetries, and why.
 
-    And why.
+    It is None if that is not proved.
     """
     if eq.system.kind is Kind.FREE:
         return _on_sphere(eq, numbers)
@@ -34,7 +38,7 @@ def least_at(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> Least:
 
 
 def _on_sphere(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> Least:
-    """Of a free gyrostat: Δ = 0."""
+    """Return whether the energy of a free gyrostat is least, for Δ = 0."""
     found, why = extremum_at(eq, numbers)
     if not found:
         return found if found is None else False, why
@@ -42,9 +46,9 @@ def _on_sphere(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> Least:
 
 
 def _along_axis(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> Least:
-    """Of a body of revolution: W(k3) = U + (C1 − l k3)²/(2 (I1 (1 − k3²) + I3 k3²)).
+    """Return whether W(k3) = U + (C1 − l k3)²/(2 (I1 (1 − k3²) + I3 k3²)) is least, for a body of revolution.
 
-    Its first term beside the point decides; at E1 and E2 on the one side that there is.
+    Its first term beside the point decides; at E1 and E2 it does so on the one side that there is.
     """
     pole = eq.at**2 == 1
     for power, term in _expanded(eq, numbers):
@@ -63,7 +67,7 @@ def _along_axis(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> Least:
 
 
 def _expanded(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> Iterator[tuple[Rational, Expr]]:
-    """The powers of the change x of k3 in W with their coefficients; at a pole x = 1 ∓ k3."""
+    """Yield the powers of the change x of k3 in W with their coefficients; at a pole x = 1 ∓ k3."""
     root = 1 if eq.near_pole is None else eq.near_pole.order
     kinetic = _kinetic(eq, numbers)
     for n in range(HIGHEST * root + 1):
@@ -74,12 +78,12 @@ def _expanded(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> Iterator[tuple
 
 
 def _kinetic(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> Iterator[Expr]:
-    """The coefficients of the powers of x in W − U."""
+    """Yield the coefficients of the powers of x in W − U, by long division."""
     body, k3 = eq.system.body, evaluate(eq.insert(eq.at), numbers)
     (I1, _, I3), l = ([evaluate(eq.insert(m), numbers) for m in body.moments],
                       evaluate(eq.insert(body.gyrostatic_momentum[2]), numbers))
     pi, k = ([evaluate(eq.insert(x), numbers) for x in vector] for vector in (eq.point[:3], eq.point[3:]))
-    # (C1 − l k3 − l x)², C1 − l k3 = π·k
+    # the numerator is (C1 − l k3 − l x)², with C1 − l k3 = π·k at the point
     rest, way = Add(*(p * x for p, x in zip(pi, k))), inward(eq)
     above = [rest**2, -2 * way * rest * l, l**2]
     below = [2 * (I1 + (I3 - I1) * k3**2), 4 * way * (I3 - I1) * k3, 2 * (I3 - I1)]

@@ -1,7 +1,4 @@
-"""What decides between the two criteria for a free body about a principal axis.
-
-The energy on the momentum sphere, to fourth order.
-"""
+"""Decides a free body between the two criteria, by its energy on the momentum sphere to fourth order."""
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
@@ -24,8 +21,14 @@ NO_EXTREMUM = ("where rotations meet, the energy is no extremum on the momentum 
 
 
 class Extremum(NamedTuple):
-    """1 where the energy is a minimum on the momentum sphere, −1 where a maximum, 0 where neither, None where
-    that is not proved; and why.
+    """The kind of critical point that the energy has on the momentum sphere, and why.
+
+    Parameters
+    ----------
+    sign : int or None
+        1 for a minimum, −1 for a maximum, 0 for neither; None if that is not proved
+    why : str
+        the reason in a sentence
     """
 
     sign: int | None
@@ -33,27 +36,32 @@ class Extremum(NamedTuple):
 
     @property
     def decision(self) -> Decision:
-        """Stable where it is an extremum."""
+        """The decision: stable if the energy has an extremum."""
         if self.sign is None:
             return undecided(self.why)
         return settled(self.sign != 0, self.why, Rung.FOURTH_ORDER)
 
 
 def extremum(body: Gyrostat, M: Sequence[Expr], nu: Expr) -> Extremum:
-    """Whether the energy of a free gyrostat is an extremum on the momentum sphere at a degenerate rotation.
+    """Tell whether the energy of a free gyrostat has an extremum at a degenerate rotation.
 
-    D = I⁻¹ − ν with Δ = M·adj(D) M = 0. It is an extremum where adj(D) M = 0 and tr adj(D) > 0, that is, in
-    principal axes, Mᵢ = 0 = dᵢ and dⱼ dₖ > 0 (three rotations meet); and where adj(D) = 0, about the axis of
-    a body of revolution that carries l. Nowhere else (folds, umbilics).
+    The energy is taken on the momentum sphere. With D = I⁻¹ − ν, Δ = M·adj(D) M = 0 there. It is an extremum
+    in two cases. First, adj(D) M = 0 and tr adj(D) > 0: in principal axes Mᵢ = 0 = dᵢ and dⱼ dₖ > 0, and
+    three rotations meet. Second, adj(D) = 0: about the axis of a body of revolution that carries l. It is
+    none anywhere else (folds, umbilics).
 
     Parameters
     ----------
     body : Gyrostat
-        with its numbers
+        at given numbers
     M : sequence of Expr, shape (3,)
-        exact numbers
+        exact numbers [M L²/T]
     nu : Expr
-        ω = ν M
+        ω = ν M [1/(M L²)]
+
+    Returns
+    -------
+    Extremum
 
     References
     ----------
@@ -74,7 +82,7 @@ def extremum(body: Gyrostat, M: Sequence[Expr], nu: Expr) -> Extremum:
 
 
 def extremum_at(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> Extremum:
-    """The same of an equilibrium of a free gyrostat, M ≠ 0, at exact numbers."""
+    """Return the kind of critical point at an equilibrium of a free gyrostat, M ≠ 0, at exact numbers."""
     body = eq.system.body.changed(lambda x: evaluate(eq.insert(x), numbers))
     pi = Matrix([evaluate(eq.insert(x), numbers) for x in eq.point])
     M = [evaluate(p + l, {}) for p, l in zip(pi, body.gyrostatic_momentum)]
@@ -86,12 +94,14 @@ def extremum_at(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> Extremum:
 class MomentumSphere:
     """The energy of a free body on abs(M) = R near its rotation about a principal axis a that carries l.
 
-    With M = (x, y, √(R² − x² − y²)) along the axes b, c, a, h = h₀ + f_b x²/(2 I_b R) + f_c y²/(2 I_c R) + l
-        (x² + y²)²/(8 I_a R³) + …,
-    f = R − I ω. Where one f is 0, the fourth order decides along its axis: an extremum, hence stable, where l
-        and the other f have one
-    sign; l = 0: a circle of equilibria, which drift: unstable. Where both are 0, h depends on x² + y² alone,
-        or is constant: stable.
+    With M = (x, y, √(R² − x² − y²)) along the axes b, c, a, and f = R − I ω for the moments of b and c,
+
+    h = h₀ + f_b x²/(2 I_b R) + f_c y²/(2 I_c R) + l (x² + y²)²/(8 I_a R³) + …,
+
+    from the expansion of (√(R² − x² − y²) − l)²/(2 I_a) with I_a ω = R − l. If one f is 0, the fourth order
+    decides along its axis: if l and the other f have one sign, h has an extremum, and the rotation is stable;
+    if they have two, it is unstable; if l = 0, it lies on a circle of equilibria, beside which others drift:
+    unstable. If both f are 0, h depends on x² + y² alone, or is constant: stable.
 
     Parameters
     ----------
@@ -109,7 +119,7 @@ class MomentumSphere:
 
     @cached_property
     def falls(self) -> tuple[Expr, Expr]:
-        """f_b and f_c [M L²/T]."""
+        """The coefficients f_b and f_c [M L²/T]."""
         eq, body = self.equilibrium, self.equilibrium.system.body
         total = eq.point[self.axis] + body.gyrostatic_momentum[self.axis]
         b, c = (eq.insert(total - moment * eq.point[self.axis] / body.moments[self.axis])
@@ -118,20 +128,20 @@ class MomentumSphere:
 
     @cached_property
     def rotor(self) -> Expr:
-        """l along the axis."""
+        """The l along the axis."""
         return self.equilibrium.insert(self.equilibrium.system.body.gyrostatic_momentum[self.axis])
 
     def ladder(self, limit: int | None = None) -> Iterator[Expr]:
-        """What decides where f_b f_c = 0: stable where the first that is not 0 is positive."""
+        """Yield what decides if f_b f_c = 0: it is stable if the first that is not 0 is positive."""
         either = sum(self.falls)                           # the one that is not 0
         yield from (self.rotor * either, -(either**2), S.One)
 
     def expressions(self) -> tuple[Expr, ...]:
-        """What falls off along both axes, and the rotor."""
+        """Return f_b, f_c and the rotor, whose signs decide."""
         return *self.falls, self.rotor
 
     def decide(self, numbers: Mapping[Symbol, Expr], margins: dict[Expr, Expr]) -> Decision:
-        """The decision at numbers where f_b f_c = 0."""
+        """Return the decision at numbers with f_b f_c = 0."""
         values = {e: evaluate(e, numbers) for e in (*self.falls, self.rotor)}
         first, second, rotor = (sign_of_constant(values[e]) for e in (*self.falls, self.rotor))
         margins.update(values)
@@ -148,8 +158,7 @@ class MomentumSphere:
 
 
 def sphere_of(eq: Equilibrium) -> MomentumSphere | None:
-    """The sphere of a free body that rotates about a principal axis with l along it, None for anything else.
-    """
+    """Return the sphere of a free body that rotates about a principal axis with l along it, else None."""
     if eq.system.kind is not Kind.FREE or isinstance(eq.system.body.inertia, ImmutableMatrix):
         return None
     axes = [n for n, (pi, l) in enumerate(zip(eq.point, eq.system.body.gyrostatic_momentum)) if pi != 0

@@ -1,6 +1,6 @@
-"""A body with a direction k on which no torque acts, because U is constant on abs(k) = 1.
+"""Decides a body with a direction k on which no torque acts, because U is constant on abs(k) = 1.
 
-Its momentum decides.
+Its momentum M is fixed in space, and moves in the body as that of a free body.
 """
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
@@ -20,13 +20,12 @@ A, B = Dummy("a", real=True), Dummy("b", real=True)
 
 def decide_without_torque(eq: Equilibrium, numbers: Mapping[Symbol, Expr],
                           free: Callable[[Equilibrium], Decision]) -> Decision:
-    """The decision on an equilibrium on e(3)* in a field that exerts no torque, by what decides on so(3)*.
+    """Return the decision on an equilibrium on e(3)* in a field that exerts no torque, by that on so(3)*.
 
-    M moves by itself on so(3)*, and M and k are both fixed in space.
-
-    Where M ≠ 0 lies along k, k stays beside it: stable as the free gyrostat is. At rest with k not along M, a
-    gyrostat that turns ever so slowly about M carries k away. What is divided out there is divided out here:
-    M and k turn together, for k stays along M.
+    M moves by itself on so(3)*, and M and k are both fixed in space. If M ≠ 0 lies along k, k stays beside
+    it: stable as the free gyrostat is. At rest with k not along M, a gyrostat that turns ever so slowly about
+    M carries k away: unstable. What the free gyrostat divides out is divided out here: M and k turn together,
+    for k stays along M.
 
     Parameters
     ----------
@@ -35,6 +34,10 @@ def decide_without_torque(eq: Equilibrium, numbers: Mapping[Symbol, Expr],
         exact
     free : callable
         decides equilibria of the free gyrostat, on so(3)*
+
+    Returns
+    -------
+    Decision
 
     References
     ----------
@@ -61,11 +64,11 @@ def decide_without_torque(eq: Equilibrium, numbers: Mapping[Symbol, Expr],
 
 
 def without_torque(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> bool:
-    """Whether its field exerts no torque: U is proved to be constant on abs(k) = 1."""
+    """Tell whether its field exerts no torque: U is proved to be constant on abs(k) = 1."""
     potential = eq.system.potential
     if potential is None or not potential.given:
         return False
-    # k = (2a, 2b, 1 − a² − b²)/(1 + a² + b²) is every direction but one
+    # k = (2a, 2b, 1 − a² − b²)/(1 + a² + b²) is every direction but one, and U is continuous there
     below = 1 + A**2 + B**2
     k = eq.system.space.coordinates[3:]
     sphere = dict(zip(k, (2 * A / below, 2 * B / below, (1 - A**2 - B**2) / below)))

@@ -1,4 +1,4 @@
-"""Decides satellites and vehicles between the two criteria.
+"""Decides satellites and vehicles between the two criteria, by a top's motion or by sets of equilibria.
 
 No theorem does so for three degrees of freedom, except for a symmetric satellite, whose axis moves like a
 top, and for closed curves of attitudes, which are stable as sets.
@@ -25,15 +25,15 @@ AXIS = "the axis moves in the orbital frame as k of a spherical gyrostat in one 
 
 
 def open_between(eq: Equilibrium) -> bool:
-    """Whether nothing decides between the two criteria of its report, whatever the numbers.
+    """Tell whether nothing decides between the two criteria of its report, whatever the numbers.
 
-    But where K is degenerate, if the satellite may lie on a closed curve (may_lie_on_curve).
+    The exception is a degenerate K, if the satellite may lie on a closed curve (may_lie_on_curve).
     """
     return eq.system.coupled and not eq.system.linear_integrals and not parallel(eq)
 
 
 def may_lie_on_curve(eq: Equilibrium) -> bool:
-    """Whether it is a satellite in principal axes with a rotor along one of them (on_curve)."""
+    """Tell whether it is a satellite in principal axes with a rotor along one of them (on_curve)."""
     body = eq.system.body
     along = [x for x in body.gyrostatic_momentum if x != 0]
     return by_gradient_alone(eq.system) and not isinstance(body.inertia, ImmutableMatrix) and len(along) == 1
@@ -41,10 +41,25 @@ def may_lie_on_curve(eq: Equilibrium) -> bool:
 
 def decide_in_frame(eq: Equilibrium, numbers: Mapping[Symbol, Expr], degenerate: bool,
                     point_decided: Callable[[Equilibrium], Decision]) -> Decision:
-    """Of a symmetric satellite what its axis does; of any other undecided, with what is known of it.
+    """Return what the axis of a symmetric satellite decides; for any other UNDECIDED, with what is known.
 
-    The last argument says what is proved of a body in one direction, as a point. Its C1 is minus the momentum
-    along the axis of the satellite.
+    The last argument decides a body in one direction, as a point. Its C1 is minus the momentum along the axis
+    of the satellite.
+
+    Parameters
+    ----------
+    eq : Equilibrium
+        of a scene in two directions
+    numbers : mapping of Symbol to Expr
+        exact
+    degenerate : bool
+        whether the second variation is degenerate
+    point_decided : callable
+        decides an equilibrium of a body in one direction, as a point
+
+    Returns
+    -------
+    Decision
     """
     if axis := moving_axis(eq, lambda x: evaluate(x, numbers)):
         found = point_decided(axis)
@@ -57,13 +72,13 @@ def decide_in_frame(eq: Equilibrium, numbers: Mapping[Symbol, Expr], degenerate:
 
 
 def on_curve(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> Decision | None:
-    """The decision on a satellite on a closed curve of attitudes that is stable, else None.
+    """Return the decision on a satellite on a closed curve of attitudes that is stable, else None.
 
     With the rotor ω0 L along axis j, a = I_i − I_j, b = I_k − I_j and L² = 4ab the curve is I'_tt = 4 I'_rr,
-    I' = I − I_j, and I'_tn² = 4 (I'_nn I'_rr − I'_nr²) on it. So K has the invariants e3 = 0,
-    e1 = ω0² (5 I'_nn + 9 I'_rr) and e2 = ω0⁴ (9 I'_nn I'_rr + 4 I'_nn² + 27 I'_nr²), both positive where a
-    and b are, but where n is along axis j: the curve meets that where a = 4b or b = 4a. Else the energy has a
-    strict minimum on the curve, which is compact.
+    where I' = I − I_j, and I'_tn² = 4 (I'_nn I'_rr − I'_nr²) on it. So K has the invariants e3 = 0, e1 = ω0²
+    (5 I'_nn + 9 I'_rr) and e2 = ω0⁴ (9 I'_nn I'_rr + 4 I'_nn² + 27 I'_nr²). Both are positive if a and b are,
+    except if n is along axis j; the curve meets such an attitude if a = 4b or b = 4a. Otherwise the energy
+    has a strict minimum on the curve, which is compact.
 
     References
     ----------

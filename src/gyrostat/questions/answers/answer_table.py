@@ -1,0 +1,102 @@
+"""The answers of decide as a table: of each equilibrium its place, its rates and its two verdicts."""
+from collections import Counter
+from collections.abc import Collection, Iterable, Sequence
+from textwrap import wrap
+
+from sympy import Expr
+
+from ...algebra.text.grammar import parse
+from ...printing.formats.text_tables import Column, table_text
+from ...printing.formats.unicode import unicode
+from ...printing.numbers import in_a_cell
+from ...stability.decision import Decision, Verdict
+from .answers import Answer
+
+NO_EQUILIBRIUM = "none"
+
+
+def answer_table(answers: Sequence[Answer], with_units: bool, width: int) -> str:
+    """How many are stable, the table, and what its words mean.
+
+    The number of a row is that of the equilibrium in the list of `relative_equilibria`.
+
+    Parameters
+    ----------
+    answers : sequence of Answer
+    with_units : bool
+        whether the numbers given have units: columns have those of SI
+    width : int
+        of a line
+    """
+    labels = [_label(a) for a in answers]
+    columns = [Column("#", [str(n) for n in range(1, len(answers) + 1)], number=True)]
+    if len(set(labels)) > 1:
+        columns.append(Column("name", labels))
+    columns += [Column(unicode(parse(name)), [in_a_cell(p[name]) if name in p else "" for p in
+                                              map(_place, answers)],
+                       answers[0].unit_of(name) if with_units else "", number=True)
+                for name in _names(answers)]
+    columns += [Column("verdict", [_verdict(a.decision) for a in answers]),
+                Column("damped", [_verdict(a.damped) for a in answers])]
+    notes = ["" if a.found is None or not a.found.locus else a.found.locus for a in answers]
+    return "\n".join([*wrap(_counted(answers, labels), width), "", table_text(columns, notes, width), ""])
+
+
+def legend(answers: Sequence[Answer]) -> str:
+    """What the words in the table mean, as sentences."""
+    decisions = [d for a in answers for d in (a.decision, a.damped) if d is not None]
+    said = ["Stable means Lyapunov stable; damped is the verdict under internal damping."]
+    said += [f"mod {name}: modulo the flow of {name}." for name in _occurring(d.modulo for d in decisions)]
+    said += [f"at {name}: for motions that keep {name}." for name in _occurring(d.level for d in decisions)]
+    if any(d.locus for d in decisions):
+        said.append("as a set: the set of equilibria is stable, its points need not be.")
+    if any(a.damped is None for a in answers):
+        said.append(f"{NO_EQUILIBRIUM}: no equilibrium under damping, because ω turns in the body.")
+    return " ".join([*said, "Decimals are rounded."])
+
+
+def _occurring(lists: Iterable[Iterable[Expr]]) -> list[str]:
+    """The integrals in a cell, each list of them once."""
+    return list(dict.fromkeys(", ".join(map(unicode, integrals)) for integrals in lists if integrals))
+
+
+def _counted(answers: Sequence[Answer], labels: Sequence[str]) -> str:
+    """How many equilibria there are, and how many of each verdict."""
+    verdicts = Counter(a.decision.verdict for a in answers)
+    label = f" ({labels[0]})" if len(set(labels)) == 1 else ""
+    counts = ", ".join(f"{verdicts[verdict]} {verdict.name.lower()}" for verdict in Verdict
+                       if verdicts[verdict])
+    return f"{len(answers)} relative equilibria{label}: {counts}."
+
+
+def _label(answer: Answer) -> str:
+    return answer.label if answer.found is None else answer.found.label
+
+
+def _place(answer: Answer) -> dict[str, Expr | None]:
+    """Where it lies, and how fast it turns; of a pole that was named its k3.
+
+    A body of revolution is placed by the tilt of its axis; the rate of an orbit, which is given, is left out.
+    """
+    found = answer.found
+    if found is None:
+        return {"k3": answer.at} if answer.at.is_number else {}
+    if all(isinstance(name, Expr) for name, _ in found.form.described):
+        return {str(name): value for name, value in found.form.described}
+    return {**answer.place, **{name: x for name, x in found.rates.items() if name != "omega0"}}
+
+
+def _names(answers: Sequence[Answer]) -> Collection[str]:
+    return list(dict.fromkeys(name for a in answers for name in _place(a)))
+
+
+def _verdict(decision: Decision | None) -> str:
+    """The verdict and what it leaves out, in a cell."""
+    if decision is None:
+        return NO_EQUILIBRIUM
+    said = decision.verdict.name.lower()
+    if decision.modulo:
+        said += f" mod {', '.join(map(unicode, decision.modulo))}"
+    if decision.level:
+        said += f" at {', '.join(map(unicode, decision.level))}"
+    return f"{said} as a set" if decision.locus else said
