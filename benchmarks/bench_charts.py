@@ -100,7 +100,7 @@ def main():
     print(f"{date.today()}, {platform.machine()}, Python {platform.python_version()}, numpy "
           f"{version('numpy')}, "
           f"matplotlib {version('matplotlib')}; median (min–max) of {rounds} after a first one.\n")
-    print("| | first, s | then, s | wrong |\n|---|---|---|---|")
+    print("| what | first, s | then, s | wrong |\n|---|---|---|---|")
     failed = 0
     charts = (("E1, (l, π3)", TOP, ("pi3_0", np.linspace(-4, 4, n)), ("l", np.linspace(-2, 2, n)),
                {"I1": 1, "m0": 1}),

@@ -42,12 +42,14 @@ nb_render_markdown_format = "myst"                     # sentences that code wri
 myst_enable_extensions = ["amsmath", "colon_fence", "dollarmath", "html_image"]
 myst_dmath_double_inline = True                        # $$ within a paragraph, as notebooks have it
 myst_heading_anchors = 4
+mathjax3_config = {"chtml": {"scale": 0.9}}           # else they look larger than the text
 
 html_theme = "pydata_sphinx_theme"
 html_title = f"gyrostat {release}"
 html_favicon = "_static/favicon.svg"
 html_static_path = ["_static"]
 html_css_files = ["site.css"]
+html_js_files = [("site.js", {"defer": "defer"})]
 html_copy_source = False
 html_sidebars = {"install": [], "faq": [], "gallery/index": []}       # no pages below these
 html_theme_options = {

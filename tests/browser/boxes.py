@@ -26,5 +26,5 @@ def opened(tab, address, width, height=900):
 
 
 def measured(tab):
-    """(kind, whether it is wider than its place, its text) of each box of the page in a tab, and of the page."""
+    """(kind, whether it is too wide, its text) of each box of the page in a tab, and of the page itself."""
     return [tuple(each) for each in tab.evaluate(WIDE)]

@@ -1,11 +1,11 @@
-"""The page in headless Chromium.
+"""The site, and the page that runs the library, in headless Chromium.
 
-Collected where GYROSTAT_PAGE names the folder that docs/try/build.py filled.
+Collected if GYROSTAT_SITE names the folder in which .ci/site built the site; the page is its folder try.
 """
 import os
 
-FOLDER = os.environ.get("GYROSTAT_PAGE")
-if not FOLDER:
+SITE = os.environ.get("GYROSTAT_SITE")
+if not SITE:
     collect_ignore_glob = ["*"]
 else:
     import pytest
@@ -13,20 +13,31 @@ else:
     from playwright.sync_api import sync_playwright
 
     @pytest.fixture(scope="session")
-    def address():
-        with served(FOLDER) as place:
-            yield place
+    def site():
+        with served(SITE) as place:
+            yield place.removesuffix("/index.html")
+
+    @pytest.fixture(scope="session")
+    def address(site):
+        return f"{site}/try/index.html"
 
     @pytest.fixture(scope="session")
     def playwright():
         with sync_playwright() as found:
             yield found
 
+    OPTIONS = {"executable_path": CHROMIUM, "args": ["--no-sandbox", NO_OTHER_HOST]}
+
+    @pytest.fixture(scope="module")
+    def browser(playwright):
+        """For pages of the site: nothing of it is asked for by the page that runs the library."""
+        with playwright.chromium.launch(**OPTIONS) as browser:
+            yield browser
+
     @pytest.fixture
     def stranger(playwright):
         """A browser of its own, which keeps nothing and whose network may be lost."""
-        options = {"executable_path": CHROMIUM, "args": ["--no-sandbox", NO_OTHER_HOST]}
-        with playwright.chromium.launch(**options) as browser:
+        with playwright.chromium.launch(**OPTIONS) as browser:
             yield browser.new_context()
 
     @pytest.fixture(scope="session")

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import licences
 
-FOLDER = Path(os.environ["GYROSTAT_PAGE"])
+FOLDER = Path(os.environ["GYROSTAT_SITE"]) / "try"
 SAYS = {"lgpl-3.0.txt": "GNU LESSER GENERAL PUBLIC LICENSE", "gpl-3.0.txt": "GNU GENERAL PUBLIC LICENSE",
         "mpl-2.0.txt": "Mozilla Public License", "python.txt": "PYTHON SOFTWARE FOUNDATION LICENSE",
         "sympy.txt": "SymPy Development Team", "mpmath.txt": "mpmath contributors",

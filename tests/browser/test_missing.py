@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 from browser.driving import SLOW, shown, typed
 
-FOLDER = Path(os.environ["GYROSTAT_PAGE"])
+FOLDER = Path(os.environ["GYROSTAT_SITE"]) / "try"
 FILES = ["files.json", *json.loads((FOLDER / "files.json").read_text(encoding="utf-8"))]
 FONTS = [name for name in FILES if name.endswith(".woff2")]
 FILES = [name for name in FILES if name not in FONTS and name != "index.html"

@@ -9,7 +9,8 @@ from slow import slow
 
 PAGE = Path(__file__).parents[2] / "docs" / "reference" / "scene-files.md"
 TEXT = PAGE.read_text(encoding="utf-8") if PAGE.exists() else ""
-COMMANDS = [line for block in re.findall(r"```sh\n(.*?)```", TEXT, re.DOTALL) for line in block.splitlines()]
+COMMANDS = [line for block in re.findall(r"```sh\n(.*?)```", TEXT, re.DOTALL)
+            for line in block.replace("\\\n", " ").splitlines()]
 
 
 @pytest.mark.skipif(not PAGE.exists(), reason="the page is not part of an installed copy")
@@ -27,6 +28,6 @@ def test_a_command_of_the_page(capsys, tmp_path, monkeypatch, command):
 def test_every_key_has_its_line():
     """The keys of a table that are for the command line, and no others."""
     from gyrostat.mechanics.families.scene_tables import KEYS
-    named = {key for row in re.findall(r"^\|(.*)\|$", TEXT, re.MULTILINE)
-             for key in re.findall(r"`(\w+)`", row.split("|")[1])}
-    assert named == KEYS - {"angles", "vertical", "given", "parameters"}
+    listed = TEXT.split("## Options and keys")[1].split("\n## ")[0]
+    named = re.findall(r"^- `(\w+)`", listed, re.MULTILINE)
+    assert len(named) == len(set(named)) and set(named) == KEYS - {"angles", "vertical", "given", "parameters"}

@@ -1,4 +1,4 @@
-"""The verdict over ranges of parameters.
+"""Charts: the exact verdict over ranges of parameters, and the curves on which it changes.
 
 A `chart` answers a `request`: `grids` names the numbers, from which `labels` refuses what has other labels or
 masks, `signs` decides at every point of them, exactly where floats do not, and `codes` stand for the

@@ -1,5 +1,6 @@
-"""Stability charts: the exact verdict at every point of a grid of parameters, labelled, with the exact
-boundary between the verdicts.
+"""Stability charts: the exact verdict at every point of a grid of parameters, as a labelled dataset.
+
+With two axes the dataset has the boundary between the verdicts, exact to the last bits.
 """
 from collections.abc import Iterable, Mapping, Sequence, Sized
 from pathlib import Path
@@ -30,50 +31,52 @@ def stability_chart(report: Report, *, x: Axis, y: Axis, fixed: Mapping[str, Any
                     axes: Mapping[str, Any] | None = None, margins: bool = False, damped: bool = False,
                     store: str | Path | None = None, backend: str = "numpy", threads: int = 1,
                     progress: Told | bool | None = None) -> Any:
-    """The verdict at every point of a grid of parameters, as a labelled dataset.
+    """Return the verdict at every point of a grid of parameters, as a labelled dataset.
 
-    Each is what Report.verdict says of that point, proved; between them, of two axes, the curves on which
-    they change.
+    Each verdict is what Report.verdict says at that point, and is proved. With two axes there are the curves
+    on which the verdict changes between the points.
 
     Parameters
     ----------
     report : Report
     x, y : pairs (name, values)
-        values: floats, shape (n,), strictly increasing or decreasing, with the dimension of the name in the
-        notation table
+        the values are floats, shape (n,), strictly increasing or decreasing, with the dimension of the name
+        in the notation table
     fixed : mapping of name to number
         the other parameters, exact: "1/3", Fraction, int; a float is the dyadic rational it is
     axes : mapping of name to values
-        further axes, outermost first
+        further axes, outermost first; default none
     margins : bool
-        the values of the margins too
+        whether the values of the margins are wanted, too; default False
     damped : bool
-        the verdicts of Report.verdict(values, damped=True) too
+        whether the verdicts of Report.verdict(values, damped=True) are wanted, too; default False
     store : str or Path
-        a path that ends in .zarr: blocks are written to it, and continued where it exists; the chart may be
-        larger than the memory
+        a path that ends in .zarr: blocks are written to it, and an existing store is continued; the chart may
+        be larger than the memory; default none, the chart is made in memory
     backend : str
-        "numpy", or "numba" (extra fast)
+        "numpy", the default, or "numba" (extra fast)
     threads : int
+        how many threads share the blocks; default 1
     progress : callable, False or None
-        called with the blocks that are done and all blocks, in memory of damped once more; None: a bar on a
-        terminal or in a notebook, where it takes longer than some seconds
+        called with the number of blocks that are done and of all blocks; without a store the damped verdicts
+        are counted anew. By default a bar is drawn on a terminal or in a notebook, if it takes longer than
+        some seconds
 
     Returns
     -------
     xarray.Dataset
         verdict (int8: 1 stable, 0 undecided, −1 unstable, −2 no equilibrium) with the dimensions (…, y, x);
-        on request damped, in the same codes, and margin_0, …; of two axes boundary_x and boundary_y, NaN
-        between pieces. Where gyroscopic forces may hold a maximum: rung (int8), what decided each point, and
-        of two axes curve_x, curve_y and curve, the resonances 1:2, 1:3 and D4 = 0. Every parameter is a
-        coordinate with its meaning, units (SI) and LaTeX, fixed ones with the exact number. Of a store,
-        opened lazily
+        on request damped, in the same codes, and margin_0, …; with two axes boundary_x and boundary_y, NaN
+        between pieces. If gyroscopic forces may stabilise a maximum: rung (int8), what decided each point,
+        and with two axes curve_x, curve_y and curve, the resonances 1:2, 1:3 and D4 = 0. Every parameter is a
+        coordinate with its meaning, units (SI) and LaTeX, fixed ones with the exact number. A store is opened
+        lazily
 
     Raises
     ------
     ValuesError
         names are missing, unknown, given twice or expressed by others; values are not finite, not monotonic,
-        or not positive where the parameter is
+        or not positive, but the parameter is
     StoreError
         the store holds another chart
     ArgumentError
@@ -88,9 +91,11 @@ def stability_chart(report: Report, *, x: Axis, y: Axis, fixed: Mapping[str, Any
     Examples
     --------
     >>> import gyrostat as gs
-    >>> top = gs.analyze(gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())))
-    >>> chart = gs.charts.stability_chart(top, x=("pi3_0", [-2, 1, 1.5, 2]), y=("l", [0, 0.5]),
-    ...                                   fixed={"I1": 1, "m0": "1"})
+    >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
+    >>> report = gs.analyze(gs.upright(top))
+    >>> chart = gs.charts.stability_chart(
+    ...     report, x=("pi3_0", [-2, 1, 1.5, 2]), y=("l", [0, 0.5]),
+    ...     fixed={"I1": 1, "m0": "1"})
     >>> chart.verdict.values
     array([[ 1, -1, -1,  1],
            [-1, -1,  1,  1]], dtype=int8)
@@ -128,7 +133,7 @@ def _check_names(report: Report, varied: Sequence[str], fixed: Sequence[str], da
 
 
 def _number(name: str, value: Any) -> tuple[str, Expr, str]:
-    """A fixed parameter, exact, and the text of it."""
+    """Return a fixed parameter: its name, its exact number, and the text of it."""
     number = exact_number(value, name)
     if symbol(name).is_positive and sign_of_constant(number) in (0, -1):
         raise ValuesError(f"{name} = {shown(number)}, but it must be positive: give a positive number")
@@ -136,7 +141,7 @@ def _number(name: str, value: Any) -> tuple[str, Expr, str]:
 
 
 def _axis(name: str, values: Iterable[Any]) -> Array:
-    """The values of an axis, checked."""
+    """Return the values of an axis, checked."""
     check_plain({name: values})
     if isinstance(values, Sized) and len(values) > MOST:
         raise ValuesError(f"{name} has {len(values)} values: give at most {MOST}")

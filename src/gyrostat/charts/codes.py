@@ -1,4 +1,4 @@
-"""Codes of verdicts in arrays and datasets."""
+"""The integers that stand for verdicts, and for what decided them, in arrays and datasets."""
 from ..stability.decision import Rung, Verdict
 
 STABLE, UNDECIDED, UNSTABLE, INVALID = 1, 0, -1, -2    # INVALID: there is no equilibrium

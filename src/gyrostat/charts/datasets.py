@@ -1,4 +1,4 @@
-"""The labelled dataset of a chart: coordinates and variables with meaning, units and LaTeX."""
+"""Makes the labelled dataset of a chart: coordinates and variables with meaning, units and LaTeX."""
 from collections.abc import Mapping, Sequence
 from typing import Any
 
@@ -24,9 +24,10 @@ OWN = ("verdict", "damped", "rung", "margin", "boundary_x", "boundary_y", "verte
 
 
 def described(request: Request, arrays: Sequence[Array], found: Mapping[str, Array]) -> Any:
-    """The dataset of what was found.
+    """Return the dataset of what was found.
 
-    The curves from the verdicts, or from some 2000 values of each axis where nothing was found.
+    The curves are followed on the verdicts that were found, or, if none were, on those of some 2000 values of
+    each axis.
     """
     xarray = optional("xarray", "charts")
     eq = request.report.equilibrium
@@ -43,12 +44,12 @@ def described(request: Request, arrays: Sequence[Array], found: Mapping[str, Arr
     dataset = xarray.Dataset(variables, coordinates, _attributes(eq))
     for variable in dataset.variables.values():
         if variable.dtype.kind == "f":
-            variable.encoding["_FillValue"] = None     # NaN is a value here
+            variable.encoding["_FillValue"] = None     # NaN is a value, between pieces of curves
     return dataset
 
 
 def curve_attributes(name: str, request: Request) -> dict[str, Any]:
-    """What the points of curves are."""
+    """Return what the points of curves are."""
     if name == "curve":
         return {"long_name": "the curve in a window on which a point lies: the frequencies are as 1 to 2, as "
                 "1 to 3, or D4 changes its sign within 2**-12 of an edge of the grid; 0 between pieces",
@@ -59,14 +60,14 @@ def curve_attributes(name: str, request: Request) -> dict[str, Any]:
 
 
 def _flags(codes: Mapping[str, int]) -> dict[str, Any]:
-    """The values of a flag variable and what they mean, each one word."""
+    """Return the values of a flag variable and what they mean, each in one word."""
     return {"flag_values": np.array(list(codes.values()), dtype=np.int8),
             "flag_meanings": " ".join(name.replace(" > 0", "_positive").replace(" < 0", "_negative")
                                       .replace(" ", "_") for name in codes)}
 
 
 def variable_attributes(name: str, request: Request) -> dict[str, Any]:
-    """What a verdict or a margin means."""
+    """Return what a verdict, a rung or a margin means."""
     eq = request.report.equilibrium
     if name.startswith("margin_"):
         margin = request.all_margins[int(name.removeprefix("margin_"))]
@@ -86,7 +87,7 @@ def variable_attributes(name: str, request: Request) -> dict[str, Any]:
 
 
 def coordinate_attributes(name: str, eq: Equilibrium) -> dict[str, str]:
-    """Meaning, units and LaTeX of a parameter."""
+    """Return meaning, units and LaTeX of a parameter."""
     entry, dimension = NOTATION.get(name), dimension_of(name)
     meaning = entry.meaning if entry else f"derivative {name} of U" if jet(name) else f"parameter {name}"
     unit = {"units": units(*dimension)} if dimension else {}

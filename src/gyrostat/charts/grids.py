@@ -1,6 +1,6 @@
-"""Named arrays on a common grid.
+"""Named arrays on a common grid, broadcast, in blocks that fit a cache.
 
-Broadcast, with the axes along which each varies, in blocks that fit a cache.
+Each array knows the axes along which it varies, so that nothing is computed twice along another.
 """
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -19,25 +19,26 @@ from .labels import check_plain
 from .signs.given_columns import all_finite, read_entry
 from .signs.straightline import Axes
 
-Slices = tuple[slice, ...]                            # of a block, one for each axis
-COLUMNS, ROWS = 16384, 256                              # up to which short neighbouring axes are joined
+Slices = tuple[slice, ...]                            # a block, one slice for each axis
+COLUMNS, ROWS = 16384, 256                              # short neighbouring axes are joined up to this length
 
 
 @dataclass(frozen=True)
 class Grid:
-    """Arrays by symbol over the points of a grid, all of the same number of dimensions, of length 1 where
-    they do not vary.
+    """Arrays by symbol over the points of a grid, with one number of dimensions.
+
+    An array has length 1 along an axis on which it does not vary.
 
     Parameters
     ----------
     shape : tuple of int
         what the arrays broadcast to
     merged : tuple of int
-        the same points, neighbouring axes joined where every array allows it; two axes at least
+        the shape of the same points, neighbouring axes joined if every array allows it; two axes at least
     values : dict
-        floats
+        floats, by symbol
     exact : dict
-        the numbers themselves, as objects, where a float is only near
+        the numbers themselves, as objects, for symbols whose floats are only near
     """
 
     shape: tuple[int, ...]
@@ -47,12 +48,12 @@ class Grid:
 
     @cached_property
     def axes(self) -> dict[Symbol, Axes]:
-        """Axes of the merged grid along which each symbol varies."""
+        """The axes of the merged grid along which each symbol varies."""
         return {s: frozenset(i for i, n in enumerate(a.shape) if n > 1) for s, a in self.values.items()}
 
     @cached_property
     def full(self) -> Axes:
-        """Axes of the merged grid along which it has more than one point."""
+        """The axes of the merged grid along which it has more than one point."""
         return frozenset(i for i, n in enumerate(self.merged) if n > 1)
 
     @property
@@ -61,26 +62,30 @@ class Grid:
         return tuple(slice(0, n) for n in self.merged)
 
     def strange(self, name: Symbol) -> Array | None:
-        """Where the numbers of a name are NaN or infinite, None: nowhere."""
+        """Return where the numbers of a name are NaN or infinite; None if nowhere."""
         if name in self.exact:
             where = np.frompyfunc(lambda x: isinstance(x, float), 1, 1)(self.exact[name]).astype(bool)
             return where if where.any() else None
         return None if all_finite(self.values[name]) else ~np.isfinite(self.values[name])
 
     def apart_from(self, out: Array) -> "Grid":
-        """The same grid, of copies where its arrays may lie in the memory of another, so that what is written
-        there is not read.
+        """Return the same grid, in which arrays that may share memory with another are copies.
+
+        So what is written to the other is not read.
         """
         return replace(self, values={s: a.copy() if np.may_share_memory(a, out) else a
                                      for s, a in self.values.items()})
 
     def index(self, place: Sequence[int]) -> tuple[int, ...]:
-        """Where in the result a place of the merged grid lies."""
+        """Return where in the result a place of the merged grid lies."""
         flat = np.ravel_multi_index(tuple(place), self.merged)
         return tuple(int(i) for i in np.unravel_index(flat, self.shape)) if self.shape else ()
 
     def blocks(self, points: int) -> list[list[Slices]]:
-        """Tiles of the last two axes, each with its blocks along the others: about so many points a block."""
+        """Return tiles of the last two axes, each with its blocks along the others.
+
+        A block has about so many points.
+        """
         *outer, rows, columns = self.merged
         if 0 in self.merged:
             return []
@@ -93,16 +98,16 @@ class Grid:
                 for row in range(0, rows, height)]
 
     def at(self, block: Slices, rows: Array, columns: Array) -> "Grid":
-        """The points at these rows and columns of a block, in a row."""
+        """Return the points at these rows and columns of a block, in a row."""
         count = len(rows)
         return Grid((count,), (1, count), *({s: gathered(last(cut(a, block)), rows, columns).reshape(1, -1)
                                              for s, a in arrays.items()}
                                             for arrays in (self.values, self.exact)))
 
     def numbers(self, symbols: Collection[Symbol]) -> Iterable[tuple[Any, ...]]:
-        """The numbers of some symbols, point after point.
+        """Yield the numbers of some symbols, point after point.
 
-        Doubles, or exact numbers where those are only near.
+        They are doubles, or exact numbers if the doubles are only near.
         """
         if not symbols:
             return repeat((), prod(self.merged))
@@ -111,19 +116,22 @@ class Grid:
 
 
 def cut(array: Array, block: Slices) -> Array:
-    """The part of an array in a block."""
+    """Return the part of an array in a block."""
     return array[tuple(s if n > 1 else slice(None) for s, n in zip(block, array.shape))]
 
 
 def gathered(array: Array, rows: Array, columns: Array) -> Array:
-    """Entries of rows and columns in a row; an axis along which the array is constant has one place."""
+    """Return entries of rows and columns in a row.
+
+    An axis along which the array is constant has one place.
+    """
     if array.size > 1:
         array = array[rows if array.shape[0] > 1 else 0, columns if array.shape[1] > 1 else 0]
     return array.reshape(-1)
 
 
 def places(where: Array) -> tuple[Array, Array]:
-    """Rows and columns where an array is true.
+    """Return the rows and columns where an array is true.
 
     The array is read as one row, because numpy.nonzero takes several times as long for two axes as for one.
     """
@@ -132,21 +140,25 @@ def places(where: Array) -> tuple[Array, Array]:
 
 
 def last(array: Array) -> Array:
-    """An array of a block as rows and columns, the axes before being of length 1."""
+    """Return an array of a block as rows and columns; the axes before have length 1."""
     return array.reshape(array.shape[-2:] if array.ndim > 1 else (1, 1))
 
 
 def grid_of(values: Mapping[str, Any], kind: Any = np.float64, finite: bool = True) -> Grid:
-    """The grid of named numbers and arrays.
+    """Return the grid of named numbers and arrays.
 
     Parameters
     ----------
     values : mapping of name to array or number
         floats, integers, or objects: Fraction, SymPy numbers
     kind : NumPy type
-        of the floats
+        the type of the floats
     finite : bool
         whether NaN and infinities are refused
+
+    Returns
+    -------
+    Grid
 
     Raises
     ------
@@ -176,7 +188,7 @@ def grid_of(values: Mapping[str, Any], kind: Any = np.float64, finite: bool = Tr
 
 
 def _widened(grid: Grid) -> Grid:
-    """The grid with short last axes joined, so that columns, and then rows, are worth a loop.
+    """Return the grid with short last axes joined, so that columns, and then rows, are worth a loop.
 
     Few numbers are repeated.
     """
@@ -193,7 +205,7 @@ def _widened(grid: Grid) -> Grid:
 
 
 def _joined(array: Array, place: int, pair: tuple[int, ...]) -> Array:
-    """An array with two axes joined, along which it is repeated if it varies along one of them."""
+    """Return an array with two axes joined, along which it is repeated if it varies along one of them."""
     before, here, after = array.shape[:place], array.shape[place:place + 2], array.shape[place + 2:]
     if here == (1, 1):
         return array.reshape(*before, 1, *after)
@@ -201,15 +213,16 @@ def _joined(array: Array, place: int, pair: tuple[int, ...]) -> Array:
 
 
 def _apart(grid: Grid, place: int) -> bool:
-    """Whether each array that varies along one of two neighbouring axes varies along the other too, or along
-    nothing else.
+    """Tell whether two neighbouring axes can be joined without repeating many numbers.
+
+    Each array varies along both of them, or along neither, or along nothing else.
     """
     pair = {place, place + 1}
     return all(along >= pair or along <= pair or not along & pair for along in grid.axes.values())
 
 
 def _base(array: Array) -> Array:
-    """An array without the axes along which it was broadcast before."""
+    """Return an array without the axes along which it was broadcast before."""
     repeated = [step == 0 and n > 1 for step, n in zip(array.strides, array.shape)]
     if not any(repeated):
         return array
@@ -217,9 +230,9 @@ def _base(array: Array) -> Array:
 
 
 def _groups(shape: tuple[int, ...], shapes: list[tuple[int, ...]]) -> list[list[int]]:
-    """Neighbouring axes on which each array varies along all or along none, joined.
+    """Return neighbouring axes in groups, on each of which every array varies along all axes or along none.
 
-    Empty groups in front, so that there are two.
+    Empty groups stand in front, so that there are two.
     """
     varies = [(1,) * (len(shape) - len(s)) + s for s in shapes]
     groups: list[list[int]] = []

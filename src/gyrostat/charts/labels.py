@@ -1,6 +1,6 @@
-"""What arrays carry beside their numbers.
+"""Checks what arrays carry beside their numbers: masks, which are refused, and labels, which must agree.
 
-Masks, which are refused, and labels, which must agree, for numbers meet by their places.
+Numbers of different arrays meet by their places, so that labels which differ would be ignored.
 """
 import sys
 from collections.abc import Mapping
@@ -10,13 +10,12 @@ import numpy as np
 
 from ..errors import ValuesError
 
-# a pandas Index, or None where there is none, by the name of the axis
+# a pandas Index by the name of the axis, or None if the axis has none
 Labels = dict[str, Any]
 
 
 def check_plain(values: Mapping[str, Any]) -> None:
-    """Raise ValuesError where a number is masked, or two arrays of xarray or pandas differ in their labels.
-    """
+    """Raise ValuesError if a number is masked, or two arrays of xarray or pandas differ in their labels."""
     first: tuple[str, Labels] | None = None
     for name, value in values.items():
         mask = np.ma.getmask(value)
@@ -35,8 +34,8 @@ def check_plain(values: Mapping[str, Any]) -> None:
 
 
 def _labels(value: Any) -> Labels:
-    """The labels of an array of xarray or pandas by axis; none of any other, or of a single number."""
-    # where they are not loaded there is no such array
+    """Return the labels of an array of xarray or pandas by axis; none for any other, or a single number."""
+    # if a library is not loaded, no array is one of its own; loading it would take longer than the check
     xarray, pandas = sys.modules.get("xarray"), sys.modules.get("pandas")
     if xarray and isinstance(value, (xarray.DataArray, xarray.Variable)):
         indexes = value.indexes if isinstance(value, xarray.DataArray) else {}
@@ -49,13 +48,13 @@ def _labels(value: Any) -> Labels:
 
 
 def _agree(one: Labels, other: Labels) -> bool:
-    """Whether the axes are the same, in order, and so are their labels where both have some."""
+    """Tell whether the axes are the same, in order, and their labels too if both have some."""
     if list(one) != list(other):
         return False
     return all(a is None or b is None or a.equals(b) for a, b in zip(one.values(), other.values()))
 
 
 def _shown(labels: Labels) -> str:
-    """Axes, with the ends of their labels."""
+    """Return the axes as text, with the ends of their labels."""
     return " × ".join(name if index is None or not len(index) else f"{name} {index[0]}…{index[-1]}"
                       for name, index in labels.items())

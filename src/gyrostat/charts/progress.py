@@ -10,14 +10,14 @@ from time import monotonic
 Told = Callable[[int, int], object]
 
 WIDTH, PAUSE = 30, 0.1                                     # characters of a bar; seconds from one to the next
-# seconds until anything is said
+# seconds until anything is drawn: shorter work needs no bar
 QUIET = 2.0
-# one byte for both of them: whether the one that works has the terminal
+# one byte that a process shares with the one that waits for it: whether the one that works has the terminal
 _shared: list[mmap.mmap] = []
 
 
 class Progress:
-    """A line on a terminal or below a cell of a notebook, of work that takes longer than some seconds.
+    """A line on a terminal or below a cell of a notebook, for work that takes longer than some seconds.
 
     It is drawn again a few times a second, and wiped at the end.
     """
@@ -27,7 +27,7 @@ class Progress:
         self.length, self.next = 0, monotonic() + QUIET
 
     def show(self, name: str, done: int, total: int | None = None) -> None:
-        """A bar, or a counter where the total is not known."""
+        """Draw a bar, or a counter if the total is not known."""
         if not self.shown or monotonic() < self.next:
             return
         taken()
@@ -39,21 +39,21 @@ class Progress:
         self.next = monotonic() + PAUSE
 
     def draw(self, line: str) -> None:
-        """The line in the place of the one before."""
+        """Draw the line in the place of the one before."""
         print("\r" + line.ljust(self.length), end="", file=sys.stderr, flush=True)
         self.length = len(line)
 
     def wipe(self) -> None:
-        """Nothing is left of it."""
+        """Wipe the line, so that nothing is left of it."""
         if self.length:
             print("\r" + " " * self.length + "\r", end="", file=sys.stderr, flush=True)
         self.length, self.next = 0, 0.0
 
 
 class Waiting(Progress):
-    """The line of a process that waits for another.
+    """The line of a process that waits for another: how long that one has been working.
 
-    How long that works, until it takes the terminal for itself.
+    It is drawn until the other process takes the terminal for itself.
     """
 
     def __init__(self, name: str) -> None:
@@ -72,17 +72,17 @@ class Waiting(Progress):
 
 
 def on_terminal() -> bool:
-    """Whether standard error is a terminal."""
+    """Tell whether standard error is a terminal."""
     return sys.stderr is not None and sys.stderr.isatty()
 
 
 def in_notebook() -> bool:
-    """Whether standard error is shown below a cell of a notebook."""
+    """Tell whether standard error is shown below a cell of a notebook."""
     return type(sys.stderr).__module__ == "ipykernel.iostream"
 
 
 def taken() -> None:
-    """From now on this process writes to the terminal; the line of the one that waits for it is wiped."""
+    """Take the terminal for this process: the line of the one that waits for it is wiped."""
     if _shared and not _shared[0][0]:
         _shared[0][0] = 1
         if on_terminal():
@@ -91,9 +91,9 @@ def taken() -> None:
 
 @contextmanager
 def telling(progress: Told | bool | None, name: str) -> Iterator[Told]:
-    """What to call as work goes on.
+    """Yield what to call as work goes on.
 
-    The function given, nothing for False, else a bar, wiped at the end.
+    It is the function given, or a bar, wiped at the end; if progress is False, it draws nothing.
     """
     bar = Progress(progress is not False)
     try:

@@ -1,4 +1,4 @@
-"""Enclosures of expressions on many boxes at once: natural ones, and the mean value form."""
+"""Encloses expressions on many boxes at once: by natural extension, and by the mean value form."""
 import math
 from collections.abc import Mapping
 from functools import lru_cache
@@ -18,7 +18,7 @@ _FUNCTIONS = {*_SLOPES, "sin", "cos", "tan", "cosh"}
 
 
 def enclosure(expression: Expr, box: Box) -> Enclosure:
-    """Bounds of an expression on each box, by one evaluation in the arithmetic of enclosures.
+    """Return bounds of an expression on each box, by one evaluation in the arithmetic of enclosures.
 
     Parameters
     ----------
@@ -27,11 +27,16 @@ def enclosure(expression: Expr, box: Box) -> Enclosure:
     box : mapping of Symbol to Enclosure
         all of one shape
 
+    Returns
+    -------
+    Enclosure
+
     Examples
     --------
     >>> from gyrostat.notation import symbol
     >>> x = symbol("x")
-    >>> bounds = enclosure(x**2 - 2, {x: Enclosure(np.array([-1.0, 2.0]), np.array([1.0, 3.0]))})
+    >>> two = Enclosure(np.array([-1.0, 2.0]), np.array([1.0, 3.0]))
+    >>> bounds = enclosure(x**2 - 2, {x: two})
     >>> bounds.low.round(3).tolist(), bounds.high.round(3).tolist()
     ([-2.0, 2.0], [-1.0, 7.0])
     """
@@ -48,11 +53,14 @@ def enclosure(expression: Expr, box: Box) -> Enclosure:
 
 def sharpened(expression: Expr, natural: Enclosure, box: Box,
               slopes: Mapping[Symbol, Enclosure]) -> Enclosure:
-    """The natural enclosure and the mean value form together.
+    """Return the natural enclosure and the mean value form together.
 
-    Its excess falls with the square of the width of the box.
+    f(x) = f(c) + Σ ∂f/∂xᵢ(ξ) (xᵢ − cᵢ) with c and ξ in the box, if f is defined on the whole box. The excess
+    of this form falls with the square of the width of the box, that of the natural enclosure with the width.
 
-    f(x) = f(c) + Σ ∂f/∂xᵢ(ξ) (xᵢ − cᵢ) with c and ξ in the box, where f is defined on the whole box.
+    References
+    ----------
+    Moore, Kearfott & Cloud, Introduction to Interval Analysis (2009), chapter 6.
     """
     middle = {}
     for name, sides in box.items():
@@ -67,12 +75,12 @@ def sharpened(expression: Expr, natural: Enclosure, box: Box,
 
 @lru_cache(maxsize=1024)
 def derivative(expression: Expr, name: Symbol) -> Expr:
-    """∂/∂name, derived once."""
+    """Return the derivative by a name, derived once."""
     return diff(expression, name)
 
 
 def _function(node: Expr, box: Box) -> Enclosure:
-    """A function of an argument that is enclosed first."""
+    """Return the enclosure of a function, whose argument is enclosed first."""
     if isinstance(node, Pow) and isinstance(node.exp, Rational):
         return _power(enclosure(node.base, box), int(node.exp.p), int(node.exp.q))
     name = type(node).__name__
@@ -82,7 +90,7 @@ def _function(node: Expr, box: Box) -> Enclosure:
 
 
 def _power(base: Enclosure, p: int, q: int) -> Enclosure:
-    """The power p of the root q."""
+    """Return the enclosure of the power p of the root q."""
     if q == 2:
         root = outward(np.sqrt(base.low), np.sqrt(base.high))
         base = Enclosure(np.maximum(root.low, 0), root.high).where(base.low >= 0)
@@ -96,7 +104,7 @@ def _power(base: Enclosure, p: int, q: int) -> Enclosure:
 
 
 def _each(name: str, argument: Enclosure) -> Enclosure:
-    """A function on arrays, once for each interval that occurs."""
+    """Return the enclosure of a function on arrays, computed once for each interval that occurs."""
     both = np.empty(argument.low.shape, complex)
     both.real, both.imag = argument.low, argument.high
     distinct, place = np.unique(both, return_inverse=True)
@@ -107,9 +115,9 @@ def _each(name: str, argument: Enclosure) -> Enclosure:
 
 @lru_cache(maxsize=2**16)
 def _at(name: str, low: float, high: float) -> tuple[float, float]:
-    """Bounds of a function on one interval.
+    """Return bounds of a function on one interval.
 
-    From its ends where it is monotone, else from the ball that contains the interval.
+    They come from its ends if it is monotone, else from the ball that contains the interval.
     """
     if not (math.isfinite(low) and math.isfinite(high)):
         return -np.inf, np.inf

@@ -1,6 +1,6 @@
-"""Certified verdicts on boxes of parameters, by interval analysis.
+"""Certified verdicts on boxes of parameters, by branch and bound with interval arithmetic.
 
-Each claim is proved for every point of a closed box where the equilibrium exists.
+Each claim is proved for every point of a closed box at which the equilibrium exists.
 """
 import math
 from collections.abc import Mapping
@@ -28,21 +28,24 @@ DEEPEST = 1100                                             # bisections after wh
 
 @dataclass(frozen=True, eq=False)
 class BoxDecision(Judged):
-    """What is proved of a box of parameters.
+    """What is proved about a box of parameters.
 
     Parameters
     ----------
     verdict : Verdict
-        STABLE or UNSTABLE: proved at every point of the box where the equilibrium exists
+        STABLE or UNSTABLE if that is proved at every point of the box at which the equilibrium exists
     reason : str
+        what is proved, or on how many parts nothing is
     chart : CertifiedChart
-        the parts of the box, and what is proved of each
+        the parts of the box, and what is proved about each
 
     Examples
     --------
     >>> import gyrostat as gs
-    >>> report = gs.analyze(gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())))
-    >>> decision = gs.charts.certify_box(report, {"I1": 1, "m0": 1, "l": 0, "pi3_0": (3, 4)})
+    >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
+    >>> report = gs.analyze(gs.upright(top))
+    >>> box = {"I1": 1, "m0": 1, "l": 0, "pi3_0": (3, 4)}
+    >>> decision = gs.charts.certify_box(report, box)
     >>> decision.verdict.name, decision.measure["stable"]
     ('STABLE', Fraction(1, 1))
     """
@@ -53,22 +56,22 @@ class BoxDecision(Judged):
 
     @property
     def measure(self) -> dict[str, Fraction]:
-        """Share of the box by kind, exact."""
+        """The share of the box by kind, exact."""
         return self.chart.measure
 
     @property
     def stable_parts(self) -> Array:
-        """Parts that are proved stable, shape (parts, axes, 2)."""
+        """The parts that are proved stable, shape (parts, axes, 2)."""
         return self._parts(STABLE)
 
     @property
     def unstable_parts(self) -> Array:
-        """Parts that are proved unstable."""
+        """The parts that are proved unstable, shape (parts, axes, 2)."""
         return self._parts(UNSTABLE)
 
     @property
     def undecided_parts(self) -> Array:
-        """Parts that the proof does not cover."""
+        """The parts that the proof does not cover, shape (parts, axes, 2)."""
         return self._parts(UNDECIDED)
 
     def _parts(self, code: int) -> Array:
@@ -78,9 +81,7 @@ class BoxDecision(Judged):
 @checked
 def certify_box(report: Report, box: Mapping[str, Any], *, depth: int = 24,
                 limit: int = 200_000) -> BoxDecision:
-    """A verdict on all points of a box, by branch and bound with interval arithmetic.
-
-    The box is bisected into parts on which margins have a proved sign.
+    """Return a verdict on all points of a box, by branch and bound with interval arithmetic.
 
     Parameters
     ----------
@@ -88,9 +89,9 @@ def certify_box(report: Report, box: Mapping[str, Any], *, depth: int = 24,
     box : mapping of name to number or (low, high)
         numbers as Report.verdict takes them, with the dimensions of the notation table
     depth : int
-        bisections of one part, at most
+        the most bisections of one part; default 24
     limit : int
-        parts, at most
+        the most parts; default 200000
 
     Returns
     -------
@@ -112,11 +113,14 @@ def certify_box(report: Report, box: Mapping[str, Any], *, depth: int = 24,
     Examples
     --------
     >>> import gyrostat as gs
-    >>> report = gs.analyze(gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())))
-    >>> gs.charts.certify_box(report, {"I1": (1, "1.1"), "m0": 1, "l": (2, 3), "pi3_0": (1, 2)}).verdict.name
-    'STABLE'
     >>> from fractions import Fraction
-    >>> across = gs.charts.certify_box(report, {"I1": 1, "m0": 1, "l": 0, "pi3_0": (0, 4)})
+    >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
+    >>> report = gs.analyze(gs.upright(top))
+    >>> box = {"I1": (1, "1.1"), "m0": 1, "l": (2, 3), "pi3_0": (1, 2)}
+    >>> gs.charts.certify_box(report, box).verdict.name
+    'STABLE'
+    >>> box = {"I1": 1, "m0": 1, "l": 0, "pi3_0": (0, 4)}
+    >>> across = gs.charts.certify_box(report, box)
     >>> across.measure["undecided"] < Fraction(1, 10**6)
     True
     """
@@ -145,7 +149,7 @@ def certify_box(report: Report, box: Mapping[str, Any], *, depth: int = 24,
 @checked
 def certified_chart(report: Report, region: Mapping[str, Any], *, resolution: Any = Fraction(1, 8192),
                     limit: int = 1_000_000, progress: Told | bool | None = None) -> CertifiedChart:
-    """A region paved by boxes, each with a proved verdict; the undecided ones lie along the boundary.
+    """Return a region paved by boxes, each with a proved verdict; undecided ones lie along the boundary.
 
     Parameters
     ----------
@@ -153,11 +157,11 @@ def certified_chart(report: Report, region: Mapping[str, Any], *, resolution: An
     region : mapping of name to number or (low, high)
         one pair at least
     resolution : number
-        a side is halved until it is at most this share of the region's
+        a side is halved until it is at most this share of the region's; default 1/8192
     limit : int
-        boxes, at most
+        the most boxes; default 1000000
     progress : callable, False or None
-        called with the levels of bisection done and all of them; None: a bar on a terminal
+        called with the levels of bisection done and all of them; by default a bar is drawn on a terminal
 
     Returns
     -------
@@ -166,7 +170,7 @@ def certified_chart(report: Report, region: Mapping[str, Any], *, resolution: An
     Raises
     ------
     ValuesError, ScopeError
-        as in certify_box; and where no name varies, or a resolution is not in (0, 1]
+        as in certify_box; and if no name varies, or a resolution is not in (0, 1]
 
     References
     ----------
@@ -175,11 +179,14 @@ def certified_chart(report: Report, region: Mapping[str, Any], *, resolution: An
     Examples
     --------
     >>> import gyrostat as gs
-    >>> report = gs.analyze(gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())))
-    >>> chart = gs.charts.certified_chart(report, {"I1": 1, "m0": 1, "l": (-4, 4), "pi3_0": (-4, 4)},
-    ...                                   resolution="1/64")
-    >>> chart.at(l=1, pi3_0=2).name, chart.at(l=1, pi3_0=-2).name, chart.at(l=1, pi3_0=1).name
-    ('STABLE', 'UNSTABLE', 'UNDECIDED')
+    >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
+    >>> report = gs.analyze(gs.upright(top))
+    >>> region = {"I1": 1, "m0": 1, "l": (-4, 4), "pi3_0": (-4, 4)}
+    >>> chart = gs.charts.certified_chart(report, region, resolution="1/64")
+    >>> chart.at(l=1, pi3_0=2).name, chart.at(l=1, pi3_0=-2).name
+    ('STABLE', 'UNSTABLE')
+    >>> chart.at(l=1, pi3_0=1).name
+    'UNDECIDED'
     """
     share = exact_number(resolution, "resolution")
     if sign_of_constant(share) != 1 or sign_of_constant(1 - share) == -1:

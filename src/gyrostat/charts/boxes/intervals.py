@@ -14,19 +14,24 @@ from ...algebra.enclosures.floats import Array
 from ...algebra.enclosures.rationals import to_sympy
 from ...algebra.reals.exact import sign_of_constant
 
-# bits of the enclosures that are rounded to float64
+# bits of the enclosures that are rounded to float64: more than its 53, so that few roundings are doubtful
 PRECISION = 64
 
 
 @dataclass(frozen=True, eq=False)
 class Enclosure:
-    """Bounds of a quantity, an entry for each box; (−∞, ∞) where nothing is known, never NaN.
+    """The bounds of a quantity, an entry for each box; (−∞, ∞) if nothing is known, never NaN.
 
-    Sums and products are rounded outward, but where a sum, or a product of short numbers, is exact.
+    Sums and products are rounded outward, unless a sum, or a product of short numbers, is exact.
 
     Parameters
     ----------
     low, high : array, shape (boxes,) or ()
+        floats, low ≤ high
+
+    References
+    ----------
+    Moore, Kearfott & Cloud, Introduction to Interval Analysis (2009), chapters 2 and 3.
 
     Examples
     --------
@@ -51,11 +56,11 @@ class Enclosure:
         return (self.low > 0) | (self.high < 0)
 
     def where(self, known: Array) -> "Enclosure":
-        """The same where something is known, the whole line elsewhere."""
+        """Return the same bounds where something is known, and the whole line elsewhere."""
         return Enclosure(np.where(known, self.low, -np.inf), np.where(known, self.high, np.inf))
 
     def __and__(self, other: "Enclosure") -> "Enclosure":
-        """What two enclosures of one quantity say together."""
+        """Return what two enclosures of one quantity say together."""
         return Enclosure(np.maximum(self.low, other.low), np.minimum(self.high, other.high))
 
     def __add__(self, other: "Enclosure") -> "Enclosure":
@@ -69,7 +74,7 @@ class Enclosure:
         return self + -other
 
     def __mul__(self, other: "Enclosure") -> "Enclosure":
-        """The product; of one and the same quantity the square, which is not negative."""
+        """Return the product; if it is one quantity with itself, the square, which is not negative."""
         exact = self.short & other.short
         if self is other:
             ends = self.low * self.low, self.high * self.high
@@ -80,15 +85,15 @@ class Enclosure:
         return outward(low, high, exact, exact)
 
     def reciprocal(self) -> "Enclosure":
-        """1/x, the whole line where 0 is not excluded."""
+        """Return 1/x, the whole line where 0 is not excluded."""
         return outward(1 / self.high, 1 / self.low).where(self.apart)
 
 
 def outward(low: Array, high: Array, low_exact: Array | bool = False,
              high_exact: Array | bool = False) -> Enclosure:
-    """Bounds that were rounded to nearest, moved by one float unless they are exact.
+    """Return bounds that were rounded to nearest, moved by one float unless they are exact.
 
-    The whole line where an operation was undefined.
+    They are the whole line where an operation was undefined.
     """
     low = np.where(low_exact, low, np.nextafter(low, -np.inf))
     high = np.where(high_exact, high, np.nextafter(high, np.inf))
@@ -96,9 +101,9 @@ def outward(low: Array, high: Array, low_exact: Array | bool = False,
 
 
 def _sum(a: Array, b: Array) -> tuple[Array, Array]:
-    """a + b, and whether it is exact: its error, which Knuth's two-sum gives, is 0.
+    """Return a + b, and whether it is exact: its error, which Knuth's two-sum gives, is 0.
 
-    NaN where it overflows.
+    An overflow gives NaN as its error, which is not 0.
     """
     total, error = two_sum(a, b)
     return total, error == 0
@@ -106,17 +111,20 @@ def _sum(a: Array, b: Array) -> tuple[Array, Array]:
 
 @lru_cache(maxsize=4096)
 def rounded(number: Expr) -> tuple[float, float]:
-    """The greatest float that is not above an exact real number and the least that is not below it, infinite
-    beyond the range.
+    """Return the greatest float not above an exact real number, and the least not below it.
+
+    They are infinite beyond the range.
 
     Examples
     --------
     >>> from sympy import Rational, S, sqrt
-    >>> rounded(S.Half), rounded(sqrt(2)), rounded(Rational(10)**400)
-    ((0.5, 0.5), (1.414213562373095, 1.4142135623730951), (1.7976931348623157e+308, inf))
+    >>> rounded(S.Half), rounded(sqrt(2))
+    ((0.5, 0.5), (1.414213562373095, 1.4142135623730951))
+    >>> rounded(Rational(10)**400)
+    (1.7976931348623157e+308, inf)
     """
     low, high = bounds_of(ball(number, 2 * PRECISION), ball(number, 2 * PRECISION))
-    # a few floats at most, unless the number is not known so well
+    # the ball leaves a few floats at most between both; if it leaves more, the bounds are only wider
     for _ in range(4):
         if _not_below(number, above := math.nextafter(low, math.inf)):
             low = above
@@ -130,13 +138,13 @@ def _not_below(number: Expr, bound: float) -> bool:
 
 
 def enclosed(constant: Expr) -> Enclosure:
-    """An exact constant, between neighbouring floats."""
+    """Return the enclosure of an exact constant, between neighbouring floats."""
     low, high = rounded(constant)
     return Enclosure(np.asarray(low), np.asarray(high))
 
 
 def bounds_of(low: arb, high: arb) -> tuple[float, float]:
-    """Floats below one ball and above the other; the whole line where one is not finite."""
+    """Return floats below one ball and above the other; the whole line if one is not finite."""
     if not (low.is_finite() and high.is_finite()):
         return -np.inf, np.inf
     return math.nextafter(float(low.lower()), -math.inf), math.nextafter(float(high.upper()), math.inf)

@@ -1,4 +1,4 @@
-"""Paving of a region by interval analysis: boxes by bisection, each with what is proved of it."""
+"""Paves a region by interval analysis: boxes by bisection, each with what is proved about it."""
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
@@ -17,33 +17,36 @@ from .intervals import rounded
 from .proofs import Proof
 from .regions import Region
 
-BATCH = 8192                                            # boxes at a time
+BATCH = 8192                                            # boxes that are judged at a time
 
 
 @dataclass(frozen=True, eq=False)
 class CertifiedChart:
-    """Closed boxes that cover a region without gap or overlap, each with what is proved of it.
+    """Closed boxes that cover a region without gap or overlap, each with what is proved about it.
 
     The ends of the region are rounded outward to float64. The boxes come from it by bisection at floats, so
-    that neighbours share their edges exactly. code: 1, every point of the box where the equilibrium exists is
-    stable; -1, every such point is unstable; -2, there is no such point; 0, nothing is proved.
+    that neighbours share their edges exactly. Their codes are 1, every point of the box at which the
+    equilibrium exists is stable; -1, every such point is unstable; -2, there is no such point; 0, nothing is
+    proved.
 
     Parameters
     ----------
     axes : tuple of str
-        names that vary
+        the names that vary
     fixed : tuple of (str, Expr)
-        exact numbers of the others
+        the exact numbers of the others
     low, high : array, shape (boxes, axes)
-        edges
+        the edges of the boxes
     code : int8 array, shape (boxes,)
+        the code of each box
     complete : bool
-        False: the limit on boxes was reached before the resolution
+        False if the limit on boxes was reached before the resolution
 
     Examples
     --------
     >>> import gyrostat as gs
-    >>> report = gs.analyze(gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())))
+    >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
+    >>> report = gs.analyze(gs.upright(top))
     >>> region = {"I1": 1, "m0": 1, "l": 0, "pi3_0": (0, 4)}
     >>> chart = gs.charts.certified_chart(report, region, resolution="1/64")
     >>> chart.axes, chart.at(pi3_0=3).name, sum(chart.measure.values())
@@ -59,7 +62,7 @@ class CertifiedChart:
 
     @cached_property
     def measure(self) -> dict[str, Fraction]:
-        """Share of the region by kind, exact; the shares sum to 1."""
+        """The share of the region by kind, exact; the shares sum to 1."""
         volumes = np.ones(len(self.code), dtype=object)
         for low, high in zip(self.low.T, self.high.T):
             volumes = volumes * _exact_widths(low, high)
@@ -68,12 +71,12 @@ class CertifiedChart:
                 for kind, code in BOX_KINDS.items()}
 
     def at(self, **point: Any) -> Verdict:
-        """What the boxes that contain a point prove of it.
+        """Return what the boxes that contain a point prove about it.
 
         Parameters
         ----------
         **point : number
-            for each axis
+            one for each axis
 
         Returns
         -------
@@ -82,7 +85,7 @@ class CertifiedChart:
         Raises
         ------
         ValuesError
-            a name is no axis, the point is outside the region, or it is proved that there is no equilibrium
+            a name is no axis, the point is outside the region, or there is proved to be no equilibrium
         """
         if set(point) != set(self.axes):
             raise ValuesError(f"the point has the names {', '.join(sorted(point)) or '(none)'}, the chart "
@@ -108,22 +111,26 @@ class CertifiedChart:
 
 def covered(proof: Proof, region: Region, deepest: int, bisections: int, limit: int,
            progress: Callable[[int, int], object] | None) -> CertifiedChart:
-    """The chart of a region.
+    """Return the chart of a region, bisected along the axis that matters most.
 
-    Boxes are halved along the axis that matters most until nothing is open or that axis is at its end.
+    Boxes are halved until nothing is open, or that axis is at its end.
 
     Parameters
     ----------
     proof : Proof
     region : Region
     deepest : int
-        bisections along one axis, at most
+        the most bisections along one axis
     bisections : int
-        of one box along all axes, at most
+        the most bisections of one box along all axes
     limit : int
-        boxes, at most
+        the most boxes
     progress : callable (done, total)
         called after each level
+
+    Returns
+    -------
+    CertifiedChart
     """
     low, high = region.low[None], region.high[None]
     depth = np.zeros(low.shape, np.int16)
@@ -148,14 +155,14 @@ def covered(proof: Proof, region: Region, deepest: int, bisections: int, limit: 
 
 def _halving(low: Array, high: Array, depth: Array, influence: Array,
              deepest: int) -> tuple[Array, Array, Array]:
-    """The axis to halve, whether there is nothing to halve, and the middle.
+    """Return the axis to halve, whether there is nothing to halve, and the middle.
 
-    A float between the ends, at any scale.
+    The middle is a float between the ends, at any scale.
     """
     with np.errstate(over="ignore"):
         total = low + high
     middle = np.where(np.isfinite(total), total / 2, low / 2 + high / 2)
-    # equal ones in turn
+    # axes that matter equally are halved in turn, as each halving takes a little weight
     weight = np.where((low < middle) & (middle < high), influence * (1 - 1e-6 * depth), 0)
     axis = weight.argmax(axis=1)
     rows = np.arange(len(low))
@@ -172,13 +179,13 @@ def _halves(low: Array, high: Array, depth: Array, axis: Array, middle: Array) -
 
 
 def _exact_widths(low: Array, high: Array) -> Array:
-    """Widths of intervals as integers, in a unit of their own."""
+    """Return the widths of intervals as integers, in a unit of their own."""
     exponent = np.frexp(np.stack([low, high]))[1].min(where=np.stack([low, high]) != 0, initial=1100) - 53
     return _integers(high, exponent) - _integers(low, exponent)
 
 
 def _integers(values: Array, exponent: int) -> Array:
-    """values / 2^exponent, exact."""
+    """Return values / 2^exponent, exact."""
     mantissa, power = np.frexp(values)
     shift = np.where(values == 0, 0, power - 53 - exponent)
     return (mantissa * 2.0**53).astype(np.int64).astype(object) << shift.astype(object)

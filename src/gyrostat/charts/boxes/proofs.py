@@ -1,6 +1,6 @@
-"""What a report proves on boxes of parameters.
+"""Proves on boxes of parameters that a sufficient condition holds, or a necessary one fails.
 
-A sufficient condition holds, a necessary one fails, or nothing exists.
+It also proves that no equilibrium exists there. What is left open says along which axis to bisect.
 """
 import operator
 from collections.abc import Mapping, Sequence
@@ -29,7 +29,7 @@ Bounds = dict[Expr, Enclosure]
 
 
 def _compared(bounds: Enclosure, relation: Relation) -> Array:
-    """Whether a relation to 0 is proved or disproved at every point of a box."""
+    """Return whether a relation to 0 is proved or disproved at every point of a box."""
     if relation in (operator.ne, operator.eq):
         apart = bounds.apart
         never = np.zeros_like(apart)
@@ -38,14 +38,14 @@ def _compared(bounds: Enclosure, relation: Relation) -> Array:
 
 
 class Proof:
-    """The criteria of a report with the numbers that do not vary inserted, ready for boxes of those that do.
+    """The criteria of a report with fixed numbers inserted, ready for boxes of the names that vary.
 
     Parameters
     ----------
     report : Report
     region : Region
     separate : bool
-        bisect also to tell where the equilibrium exists, where the verdict is decided
+        whether a box with a decided verdict is bisected, too, to tell where the equilibrium exists
     """
 
     def __init__(self, report: Report, region: Region, separate: bool = False):
@@ -68,15 +68,18 @@ class Proof:
             for alternative in criterion.alternatives))
 
     def _normal(self, condition: Condition, domain: Sequence[Expr]) -> Condition:
-        """In normal form once more: what is positive in the region is left out, squares are taken out."""
+        """Return a condition in normal form once more, with the fixed numbers inserted.
+
+        What is positive in the region, and squares, are taken out of its margin.
+        """
         margin, *even = (evaluate(e, self._fixed) for e in (condition.margin, *condition.degenerate))
         top, squares = Signs.over([margin, *even], domain).normal_form(margin)
         return replace(condition, margin=top, degenerate=(*even, *squares))
 
     def judge(self, low: Array, high: Array) -> tuple[Array, Array]:
-        """A code for each box, and how much each axis contributes to what is open there.
+        """Return a code for each box, and how much each axis contributes to what is open there.
 
-        0 where no bisection will help.
+        The contribution is 0 if no bisection will help.
 
         Parameters
         ----------
@@ -100,11 +103,10 @@ class Proof:
         return code, influence
 
     def _partly(self, bounds: Bounds, low: Array, high: Array) -> Array:
-        """Where the equilibrium exists in a part of the box, shape (conditions, boxes).
+        """Return where a condition of existence holds in a part of the box only, shape (conditions, boxes).
 
-        What separates it from the rest.
-
-        A choice of what to bisect, not a proof: a margin that is negative only by rounding does not count.
+        It is a choice of what to bisect, not a proof: a margin that is negative only by rounding does not
+        count.
         """
         if not self.separate:
             return np.zeros((0, len(low)), bool)
@@ -114,7 +116,7 @@ class Proof:
                                                                 *sides]]).reshape(-1, len(low))
 
     def _judge_sharply(self, bounds: Bounds, low: Array, high: Array, partly: Array) -> tuple[Array, Array]:
-        """As judge, where the natural enclosures leave something open.
+        """Return what judge does, if the natural enclosures leave something open.
 
         What matters is enclosed again, by its slopes.
         """
@@ -140,9 +142,9 @@ class Proof:
         return code, influence
 
     def _contributions(self, slopes: Mapping[Any, Enclosure], widths: Array) -> Array:
-        """abs(slope) × width, relative to the largest.
+        """Return abs(slope) × width, relative to the largest, and 1 where it is not bounded.
 
-        1 where it is not bounded. A choice, not a proof: rounding does not matter.
+        It is a choice, not a proof: rounding does not matter.
         """
         parts = np.zeros(widths.shape)
         for place, name in enumerate(self.names):
@@ -169,5 +171,5 @@ class Proof:
 
     @staticmethod
     def _whole(bounds: Enclosure, boxes: int) -> Enclosure:
-        """An entry for each box, also of what does not vary."""
+        """Return an entry for each box, also for what does not vary."""
         return Enclosure(np.broadcast_to(bounds.low, boxes), np.broadcast_to(bounds.high, boxes))

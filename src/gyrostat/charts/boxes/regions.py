@@ -1,4 +1,4 @@
-"""Regions of parameters: intervals and exact numbers by name, checked against the family."""
+"""Reads regions of parameters: intervals and exact numbers by name, checked against the family."""
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
@@ -25,8 +25,11 @@ class Region:
     Parameters
     ----------
     axes : tuple of str
+        the names that vary
     low, high : array, shape (axes,)
+        the ends of their intervals
     fixed : Point
+        the others
     """
 
     axes: tuple[str, ...]
@@ -36,11 +39,12 @@ class Region:
 
     @property
     def fixed_numbers(self) -> tuple[tuple[str, Expr], ...]:
+        """The exact numbers of the names that do not vary."""
         return tuple((s.name, number) for s, number in self.fixed.items())
 
 
 def region_of(report: Report, given: Mapping[str, Any]) -> Region:
-    """The region that numbers and pairs (low, high) describe, every one of them checked."""
+    """Return the region that numbers and pairs (low, high) describe, every one of them checked."""
     eq = report.equilibrium
     if eq.constraints:
         raise ScopeError(f"{eq.label} exists only where {eq.constraints[0]} = 0, on no box of its "
@@ -61,7 +65,7 @@ def region_of(report: Report, given: Mapping[str, Any]) -> Region:
 
 
 def _ends(value: Any, name: str) -> tuple[Expr, Expr]:
-    """Both ends as exact numbers; one number twice where nothing lies between."""
+    """Return both ends as exact numbers; one number twice if nothing lies between."""
     pair = tuple(value) if isinstance(value, (tuple, list, np.ndarray)) else (value, value)
     if len(pair) != 2:
         raise ValuesError(f"{name} = {value} has {len(pair)} entries, an interval has two ends: give a "
@@ -79,7 +83,7 @@ def _ends(value: Any, name: str) -> tuple[Expr, Expr]:
 
 
 def _check(eq: Equilibrium, greatest: Mapping[Any, Expr], fixed: Point) -> None:
-    """Whether the equilibrium exists anywhere, as far as the numbers that do not vary tell."""
+    """Refuse a region in which the equilibrium exists nowhere, as far as its fixed numbers tell."""
     for name, number in greatest.items():
         if name.is_positive and sign_of_constant(number) in (0, -1):
             raise ValuesError(f"{name} is at most {shown(number)} in the region, but it must be positive: "

@@ -1,6 +1,6 @@
-"""Curves on which a verdict changes.
+"""Follows the curves on which a verdict changes, by marching squares and bisection in twofold arithmetic.
 
-Zeros of margins, each point of them on a line of the grid, moved along it to the last bits.
+They are zeros of margins, each vertex on a line of the grid, moved along it to the last bits.
 """
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any
@@ -16,31 +16,33 @@ from ..signs.straightline import program_of
 from .crossings import Sign, edges, joined, pieces, zeros
 
 Verdicts = Callable[[Array, Array], Array]
-# values of an axis between which curves are followed
+# values of an axis between which curves are followed: more would make no vertex more exact
 FINEST = 2000
 _AROUND = [(i, j) for i in (-1, 0, 1) for j in (-1, 0, 1) if (i, j) != (0, 0)]
 
 
 def boundary(margins: Sequence[Expr], numbers: Mapping[Symbol, Expr], x: tuple[Symbol, Array],
              y: tuple[Symbol, Array], verdict: Array, ask: Verdicts | None = None) -> tuple[Array, Array]:
-    """Points of the curves between different verdicts, NaN between the pieces.
+    """Return points of the curves between different verdicts, with NaN between the pieces.
 
-    Marching squares on the sign of each margin; a vertex is kept where the verdict differs on the two sides
-    of it, and moved along its edge onto the zero, by bisection in twofold arithmetic (106 bits): of a
-    polynomial with rational numbers, within two units of the last place where nothing is degenerate.
+    Marching squares follow the sign of each margin. A vertex is kept if the verdict differs on the two sides
+    of it, and is moved along its edge onto the zero, by bisection in twofold arithmetic (106 bits). For a
+    polynomial with rational numbers it is within two units of the last place, if nothing is degenerate.
     Functions such as exp are taken in doubles, and the point is as good as they are.
 
     Parameters
     ----------
     margins : sequence of Expr
+        what changes its sign where a verdict may change
     numbers : mapping of Symbol to Expr
         the other parameters
     x, y : pairs (symbol, array)
-        strictly monotonic
+        the axes, strictly monotonic
     verdict : array, shape (len(y), len(x))
+        codes of the verdicts at the points of the grid
     ask : callable or None
-        the verdict at points: which of several margins that change their sign on one edge it is that the
-        verdict changes with
+        gives the verdict at points: if several margins change their sign on one edge, it tells with which of
+        them the verdict changes
 
     Returns
     -------
@@ -70,15 +72,15 @@ def boundary(margins: Sequence[Expr], numbers: Mapping[Symbol, Expr], x: tuple[S
 
 
 def thinned(n: int) -> Array:
-    """Places along an axis of n values between which curves are followed.
+    """Return the places along an axis of n values between which curves are followed.
 
-    All of them, or some 2000 that lie evenly, both ends included.
+    They are all of them, or some 2000 that lie evenly, both ends included.
     """
     return np.unique(np.linspace(0, n - 1, min(n, FINEST)).round().astype(np.int64))
 
 
 def _crowded(signs: Sequence[Array]) -> tuple[Array, Array]:
-    """Edges of the grid along x, and along y, on which more than one margin may change its sign."""
+    """Return the edges along x, and along y, on which more than one margin may change its sign."""
     sides = [np.where(np.isnan(s), np.nan, s > 0) for s in signs]
     return tuple(np.sum([s != t for s, t in pairs], axis=0) > 1 for pairs in (
         [(s[:, 1:], s[:, :-1]) for s in sides], [(s[1:], s[:-1]) for s in sides]))
@@ -86,7 +88,7 @@ def _crowded(signs: Sequence[Array]) -> tuple[Array, Array]:
 
 def _curves(sign: Sign, signs: Array, axes: tuple[Array, Array], verdict: Array, crowded: tuple[Array, Array],
             ask: Verdicts | None) -> Array:
-    """The points of one margin, shape (2, points)."""
+    """Return the points of one margin, shape (2, points)."""
     columns, rows = axes
     gaps, good, bad = edges(signs)
     kept = ~gaps & _between_verdicts(verdict, signs, good, bad)
@@ -106,9 +108,9 @@ def _curves(sign: Sign, signs: Array, axes: tuple[Array, Array], verdict: Array,
 
 
 def signs_of(margin: Expr, x: tuple[Symbol, Array], y: tuple[Symbol, Array]) -> Array:
-    """The sign at every point of the grid, NaN where the margin has none.
+    """Return the sign at every point of the grid, NaN where the margin has none.
 
-    Where doubles cannot tell, in twofold arithmetic.
+    If doubles with their bound cannot tell, it is taken in twofold arithmetic.
     """
     (across, columns), (up, rows), program = x, y, program_of(margin, {})
     given = {across: columns[None, :], up: rows[:, None]}
@@ -129,9 +131,9 @@ def signs_of(margin: Expr, x: tuple[Symbol, Array], y: tuple[Symbol, Array]) -> 
 
 
 def _between_verdicts(verdict: Array, signs: Array, good: tuple[Array, ...], bad: tuple[Array, ...]) -> Array:
-    """Whether the verdict differs on the two sides.
+    """Tell for each edge whether the verdict differs on the two sides.
 
-    Where an end lies on the curve itself, whether it differs beyond that end.
+    If an end lies on the curve itself, it tells whether the verdict differs beyond that end.
     """
     here = verdict[good]
     different = here != verdict[bad]
@@ -144,8 +146,9 @@ def _between_verdicts(verdict: Array, signs: Array, good: tuple[Array, ...], bad
 
 
 def _parts(ask: Verdicts, points: Array, good: Array, bad: Array) -> Array:
-    """Whether the verdict differs between points on edges and their two sides, a few units of the last place
-    away.
+    """Tell whether the verdict differs between points on edges and their two sides.
+
+    The sides are a few units of the last place away.
     """
     seen = [ask(*points)]
     for side in (good, bad):
@@ -155,7 +158,7 @@ def _parts(ask: Verdicts, points: Array, good: Array, bad: Array) -> Array:
 
 
 def sign_of(margin: Expr, across: Symbol, up: Symbol) -> Sign:
-    """The sign of a margin in two names at points, in twofold arithmetic."""
+    """Return the function that gives the sign of a margin in two names at points, in twofold arithmetic."""
     program = program_of(margin, {})
 
     def constant(value: Rational) -> Twofold:

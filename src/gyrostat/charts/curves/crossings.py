@@ -1,4 +1,7 @@
-"""Where a sign changes in a grid: the edges in the order of curves, and the zeros on them."""
+"""Finds where a sign changes in a grid: the edges in the order of curves, and the zeros on them.
+
+The edges are found by marching squares, the zeros by bisection.
+"""
 from collections.abc import Callable, Sequence
 
 import numpy as np
@@ -6,14 +9,16 @@ import numpy as np
 from ...algebra.enclosures.floats import Array
 from ...errors import optional
 
-Sign = Callable[[Array, Array], Array]                 # at points, from their x and y
-# of an edge: a zero that is no further from 0 is at 0
+Sign = Callable[[Array, Array], Array]                 # gives the sign at points, from their x and y
+# a zero that is closer to 0 than this share of its edge is at 0
 NOTHING = 2.0**-100
 
 
 def edges(signs: Array) -> tuple[Array, tuple[Array, ...], tuple[Array, ...]]:
-    """The edges where the sign changes in the order of the lines that cross them, by row and column of the
-    end where it is 1, and of the other; first where between two lines there is none.
+    """Return where there is no edge, and the ends of the edges on which the sign changes.
+
+    They are given by row and column, in the order of the lines that cross the edges, with a gap between two
+    lines. The first end is the one at which the sign is 1.
     """
     vertices = _marched(signs)
     gaps = np.isnan(vertices[:, 0])
@@ -26,7 +31,10 @@ def edges(signs: Array) -> tuple[Array, tuple[Array, ...], tuple[Array, ...]]:
 
 
 def _marched(signs: Array) -> Array:
-    """Vertices (column, row) half-way on the edges where the sign changes, a row of NaN between two lines."""
+    """Return vertices (column, row) half-way on the edges on which the sign changes.
+
+    A row of NaN is between two lines.
+    """
     contourpy = optional("contourpy", "charts")
     sides = np.where(np.isnan(signs), np.nan, np.where(signs > 0, 1.0, -1.0))
     lines = contourpy.contour_generator(z=sides, corner_mask=False,
@@ -35,16 +43,16 @@ def _marched(signs: Array) -> Array:
 
 
 def zeros(sign: Sign, good: Array, bad: Array) -> Array:
-    """Where the sign stops being 1 between two ends of an edge, shape (2, edges) each.
+    """Return where the sign stops being 1 between the two ends of each edge, shape (2, edges) each.
 
-    So it does where there is none.
+    It does so where the sign is 0 or −1, and where there is none.
     """
     along = good[0] != bad[0]                          # the edge lies along x
     p, q = np.where(along, good[0], good[1]), np.where(along, bad[0], bad[1])
     other = np.where(along, good[1], good[0])
     nothing = np.maximum(abs(p), abs(q)) * NOTHING
     while True:
-        # a zero at 0 would be halved towards for long, until powers underflow
+        # bisection towards a zero at 0 would go on until powers underflow, a thousand steps
         beside = (p == 0) | (q == 0)
         at_zero = beside & (abs(p + q) <= nothing)
         p, q = np.where(at_zero, 0.0, p), np.where(at_zero, 0.0, q)
@@ -60,7 +68,7 @@ def zeros(sign: Sign, good: Array, bad: Array) -> Array:
 
 
 def pieces(points: Array) -> Array:
-    """One NaN between two pieces, none at the ends."""
+    """Return points with one NaN between two pieces, none at the ends."""
     gap = np.isnan(points[0])
     kept = ~(gap & np.concatenate([[True], gap[:-1]]))
     points = points[:, kept]
@@ -68,7 +76,7 @@ def pieces(points: Array) -> Array:
 
 
 def joined(curves: Sequence[Array]) -> Array:
-    """Curves, shape (coordinates, points) each, with NaN between two."""
+    """Return curves, shape (coordinates, points) each, as one with NaN between two."""
     found = [curve for curve in curves if curve.shape[1]]
     if not found:
         return curves[0] if curves else np.empty((2, 0))

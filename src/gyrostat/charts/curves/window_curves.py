@@ -1,4 +1,8 @@
-"""Curves where gyroscopic forces hold a maximum: resonances of low order, and D4 = 0."""
+"""Follows the curves in windows, where gyroscopic forces stabilise a maximum: resonances, and D4 = 0.
+
+A resonance is the zero of a polynomial; a zero of D4 is enclosed between two points at which D4, in balls,
+has proved signs.
+"""
 from collections.abc import Callable, Mapping
 from typing import NamedTuple
 
@@ -21,8 +25,8 @@ from ..signs.verdicts_in_blocks import Decided, signs_in_row
 from .contours import sign_of, signs_of
 from .crossings import edges, joined, pieces, zeros
 
-WITHIN = 2.0**-12                                      # of an edge of the grid: what D4 = 0 is enclosed to
-STEPS = 30                                             # of the search on an edge
+WITHIN = 2.0**-12                                      # the share of an edge in which D4 = 0 is enclosed
+STEPS = 30                                             # the most steps of the search on an edge
 HELD = [RUNGS[rung] for rung in (Rung.TWIST_POSITIVE, Rung.TWIST_NEGATIVE, Rung.SIXTH_ORDER, Rung.RESONANCE,
                                 Rung.INTEGRAL, Rung.NOTHING)]
 Axis = tuple[Symbol, Array]
@@ -37,23 +41,27 @@ class Plane(NamedTuple):
     y: Axis
 
     def grid(self, x: Array, y: Array) -> Grid:
-        """Points in a row."""
+        """Return points in a row as a grid."""
         return grid_for(self.report, {s.name: value for s, value in (*self.numbers.items(), (self.x[0], x),
                                                                      (self.y[0], y))})
 
 
 def window_curves(plane: Plane, rungs: Array) -> Array:
-    """x, y and code of points of the curves, shape (3, points), NaN between pieces.
+    """Return x, y and code of points of the curves, shape (3, points), with NaN between pieces.
 
     A resonance is a zero of its margin, found as the boundary is. On D4 = 0 each point is the middle of a
-    part of an edge, of 2⁻¹² of it at most, at the ends of which D4 is proved to have opposite signs, while
-    the resonance 1:2, its pole, is excluded in all of it.
+    part of an edge, 2⁻¹² of it at most, at the ends of which D4 is proved to have opposite signs, while the
+    resonance 1:2, its pole, is excluded in all of it.
 
     Parameters
     ----------
     plane : Plane
     rungs : array of int8, shape (len(y), len(x))
         what decided each point
+
+    Returns
+    -------
+    array, shape (3, points)
     """
     eq = plane.report.equilibrium
     p, q = data_of(eq)[-1]
@@ -75,7 +83,7 @@ def window_curves(plane: Plane, rungs: Array) -> Array:
 
 
 def _beside(where: Array) -> Array:
-    """Where it is so, or at a neighbour."""
+    """Return where it is so, or is so at a neighbour."""
     wide = np.pad(where, 1)
     rows, columns = where.shape
     return np.any([wide[i:i + rows, j:j + columns] for i in range(3) for j in range(3)], axis=0)
@@ -86,7 +94,7 @@ def _coded(curve: Array, code: int) -> Array:
 
 
 def _on_edges(plane: Plane, signs: Array, zeros_between: Callable[[Array, Array], Array]) -> Array:
-    """What is found between the ends of the edges on which a sign changes, shape (2, points)."""
+    """Return what is found between the ends of the edges on which a sign changes, shape (2, points)."""
     gaps, good, bad = edges(signs)
     points = np.full((2, len(gaps)), np.nan)
     if not gaps.all():
@@ -96,7 +104,10 @@ def _on_edges(plane: Plane, signs: Array, zeros_between: Callable[[Array, Array]
 
 
 def _resonance(plane: Plane, oscillates: Condition, factor: Expr, held: Array) -> Array:
-    """Its zeros between the two criteria, but for those on the edge, p = q = 0."""
+    """Return the zeros of a resonance between the two criteria.
+
+    Those with p = q = 0, where both frequencies vanish, are not among them.
+    """
     def zeros_between(good: Array, bad: Array) -> Array:
         found = zeros(sign_of(factor, plane.x[0], plane.y[0]), good, bad)
         grid = plane.grid(*found)
@@ -108,7 +119,7 @@ def _resonance(plane: Plane, oscillates: Condition, factor: Expr, held: Array) -
 
 
 def _untwisted(plane: Plane, signs: Array) -> Array:
-    """Zeros of D4 times the margin of 1:2, which has no pole, where that margin is not 0."""
+    """Return the zeros of D4 times the margin of 1:2, which has no pole, where that margin is not 0."""
     def zeros_between(good: Array, bad: Array) -> Array:
         with np.errstate(all="ignore"):
             middle, half = _near_zero(plane, good, bad), abs(bad - good) * WITHIN / 2
@@ -122,7 +133,7 @@ def _untwisted(plane: Plane, signs: Array) -> Array:
 
 
 def _near_zero(plane: Plane, good: Array, bad: Array) -> Array:
-    """About where D4 times the margin is 0 on edges: false position, every third step a bisection."""
+    """Return about where D4 times the margin is 0 on edges, by false position with bisections."""
     t, s = np.ones(good.shape[1]), np.zeros(good.shape[1])
     value, old = np.split(_product(plane, np.concatenate([bad, good], axis=1)), 2)
     left = np.arange(len(t))
@@ -144,7 +155,7 @@ def _product(plane: Plane, at: Array) -> Array:
 
 
 def _twists(plane: Plane, at: Array, wide: Array) -> tuple[BallArray, BallArray]:
-    """D4 and the margin of 1:2 over boxes about points."""
+    """Return D4 and the margin of 1:2 over boxes about points."""
     grid = plane.grid(*at)
     names = {s: leaf(grid, s) for s in grid.values}
     names |= {name: BallArray(*ball) for name, ball in zip((plane.x[0], plane.y[0]), zip(at, wide))}

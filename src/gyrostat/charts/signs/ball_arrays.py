@@ -7,7 +7,7 @@ from flint import fmpq
 from ...algebra.enclosures.floats import Array
 from ...algebra.enclosures.rationals import to_flint
 
-# more than the relative error of a sum, of a product or square root, of a quotient; beside numbers too small
+# bounds of the relative error of a sum, of a product or square root, of a quotient; and of what underflows
 SUM, PRODUCT, QUOTIENT, TINY = 2.0**-52, 2.0**-51, 2.0**-48, 2.0**-900
 OUTWARD = 1 + 2.0**-48                                     # a radius is computed in doubles too
 
@@ -20,7 +20,7 @@ class BallArray:
     middle : array or number
         real or complex
     radius : array, or None
-        None: the numbers are exact
+        None if the numbers are exact
 
     References
     ----------
@@ -86,53 +86,53 @@ class BallArray:
         return found if isinstance(other, int) and other == 1 else found * other
 
     def __eq__(self, other: object) -> bool:
-        """Whether every number is exactly 0."""
+        """Tell whether every number is exactly 0."""
         return isinstance(other, int) and other == 0 and not (self.middle.any() or self.radius.any())
 
     def sqrt(self) -> "BallArray":
-        """Of real numbers; infinite where one may be 0 or negative."""
+        """Return the roots of real numbers; the radius is infinite where a number may be 0 or negative."""
         inside = self.middle > 2 * self.radius + TINY
         middle = np.sqrt(np.where(inside, self.middle, 1))
         error = self.radius / middle + PRODUCT * middle
         return BallArray(middle, np.where(inside, OUTWARD * error + TINY, np.inf))
 
     def conjugate(self) -> "BallArray":
-        """Complex conjugates."""
+        """Return the complex conjugates."""
         return BallArray(self.middle.conjugate(), self.radius)
 
     @property
     def real(self) -> "BallArray":
-        """Real parts."""
+        """The real parts."""
         return BallArray(self.middle.real, self.radius)
 
     def turned(self) -> "BallArray":
-        """i times real numbers."""
+        """Return i times real numbers."""
         return BallArray(1j * self.middle, self.radius)
 
     def excludes_zero(self) -> Array:
-        """Where no number of the ball is 0."""
+        """Return where no number of the ball is 0."""
         return np.asarray(abs(self.middle) * (1 - SUM) > self.radius)
 
     def where(self, known: Array) -> "BallArray":
-        """The balls where something is known, of infinite radius elsewhere."""
+        """Return the balls where something is known, and infinite radii elsewhere."""
         return BallArray(np.broadcast_to(self.middle, known.shape), np.where(known, self.radius, np.inf))
 
     def sign(self) -> Array:
-        """Of real numbers: 1 or −1 where all of the ball have it, else 0."""
+        """Return the sign of real numbers: 1 or −1 where all of the ball have it, else 0."""
         return self.positive().astype(np.int8) - (-self).positive()
 
     def positive(self) -> Array:
-        """Where every number of the ball is positive."""
+        """Return where every number of the ball is positive."""
         return np.asarray(self.middle > self.radius)
 
 
 def near(doubles: Any, exact: bool) -> BallArray:
-    """Numbers that are doubles, or whose rounding these are."""
+    """Return balls about numbers that are doubles, or whose rounding these are."""
     return BallArray(doubles, None if exact else np.asarray(abs(doubles) * SUM + TINY))
 
 
 def _ball(x: Any) -> BallArray:
-    """A number as a ball; a fraction that is no double with what is lost."""
+    """Return a number as a ball; a fraction that is no double with what is lost."""
     if isinstance(x, BallArray):
         return x
     if isinstance(x, fmpq):

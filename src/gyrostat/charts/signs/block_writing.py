@@ -1,4 +1,4 @@
-"""Results written block by block: values, comparisons and what joins them, on threads."""
+"""Writes results block by block, on threads: values, comparisons and what joins them."""
 import operator
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
@@ -17,10 +17,10 @@ from .kernels import Kernel
 from .straightline import program_of
 from .tiles import Tiles
 
-# points: a few buffers fit a core's cache; a call is short beside the loop
+# points of a block: for NumPy a few buffers fit a core's cache; for Numba a call is short beside the loop
 NUMPY_BLOCK, NUMBA_BLOCK = 2**17, 2**20
 Writer = Callable[[Slices, Array], None]                # writes a block of a result
-# what Numba compiles: values, and tests of margins; even factors are few and short
+# Numba compiles values and tests of margins, not those of even factors, which are few and short
 _COMPILED: dict[Relation | None, str] = {None: "{0}", operator.gt: "{0} > 0", operator.ge: "{0} >= 0"}
 _COMPARED: dict[Relation, np.ufunc] = {operator.gt: np.greater, operator.ge: np.greater_equal,
                                        operator.ne: np.not_equal, operator.eq: np.equal}
@@ -28,7 +28,7 @@ _COMPARED: dict[Relation, np.ufunc] = {operator.gt: np.greater, operator.ge: np.
 
 def writer(expression: Expr, relation: Relation | None, grid: Grid, backend: str, kind: Any,
            spent: list[float]) -> Writer:
-    """What writes the value of an expression into a block of the result, or its relation to 0."""
+    """Return what writes the value of an expression into a block of the result, or its relation to 0."""
     def read(leaf: Expr, block: Slices) -> Array:
         here = {s: cut(grid.values[s], block) for s in leaf.free_symbols}
         return np.asarray(in_floats(leaf, np, here), dtype=kind)
@@ -47,7 +47,7 @@ def writer(expression: Expr, relation: Relation | None, grid: Grid, backend: str
 
 
 def joined(operation: np.ufunc, writers: Iterable[Writer]) -> Writer:
-    """What writes where all hold, by np.logical_and, or where one holds, by np.logical_or."""
+    """Return what writes where all hold, by np.logical_and, or where one holds, by np.logical_or."""
     given = list(writers)
     if len(given) == 1:
         return given[0]
@@ -66,7 +66,7 @@ def joined(operation: np.ufunc, writers: Iterable[Writer]) -> Writer:
 
 
 def prepared(out: Array | None, shape: tuple[int, ...], kind: Any) -> Array:
-    """The array to write to: the one given, if it fits, or a new one."""
+    """Return the array to write to: the one given, if it fits, or a new one."""
     if out is None:
         return np.empty(shape, dtype=kind)
     require(out, np.ndarray, "out")
@@ -79,7 +79,7 @@ def prepared(out: Array | None, shape: tuple[int, ...], kind: Any) -> Array:
 
 def in_threads(work: Callable[[Iterable[Any]], Any], tasks: Sequence[Any], threads: int,
                told: Told = lambda done, total: None) -> list[Any]:
-    """The results of the work on equal shares of the tasks; told is called when one is done."""
+    """Return the results of the work on equal shares of the tasks; told is called when one is done."""
     numbers = count(1)
 
     def counted(share: Iterable[Any]) -> Iterator[Any]:

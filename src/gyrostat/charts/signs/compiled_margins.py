@@ -27,11 +27,11 @@ class CompiledMargin:
     """A margin or criterion as a function of named arrays, made by compile_margin.
 
     It is called with out=None, threads=1 and an array for each of its names, float64; they broadcast as in
-    NumPy. Arrays of shapes (n, 1) and (m,) make a grid, and nothing is computed again along an axis on
-    which it does not depend. float32 throughout gives float32. out is where to write, for NumPy and Numba:
-    an array, C-contiguous, of the shape of the result, which may overlap the arrays given; blocks are
-    shared out among threads. names are the arrays that it takes; backend is "numpy", "numba", or the name
-    of the namespace.
+    NumPy. Arrays of shapes (n, 1) and (m,) make a grid, and nothing is computed again along an axis on which
+    it does not depend. If all are float32, the result is float32. With NumPy and Numba, out is where to
+    write: an array, C-contiguous, of the shape of the result, which may overlap the arrays given; blocks are
+    shared out among threads. names are the arrays that it takes; backend is "numpy", "numba", or the name of
+    the namespace.
 
     Parameters
     ----------
@@ -43,8 +43,9 @@ class CompiledMargin:
     Examples
     --------
     >>> import gyrostat as gs
-    >>> report = gs.analyze(gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())))
-    >>> margin = gs.charts.compile_margin(report.sufficient.alternatives[0][0])
+    >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
+    >>> ((condition,),) = gs.analyze(gs.upright(top)).sufficient.alternatives
+    >>> margin = gs.charts.compile_margin(condition)
     >>> margin.names, margin(I1=1, l=0, m0=1, pi3_0=[1.0, 3.0])
     (('I1', 'l', 'm0', 'pi3_0'), array([-3.,  5.]))
     """
@@ -60,28 +61,28 @@ class CompiledMargin:
 
     @property
     def compile_seconds(self) -> float:
-        """Seconds spent so far on compiling, or on reading from disk what was compiled before."""
+        """The seconds spent so far on compiling, or on reading from disk what was compiled before."""
         return sum(self._spent)
 
     def __call__(self, *, out: Array | None = None, threads: int = 1, **arrays: Any) -> Any:
-        """The values of the margin, or where the criterion holds, in the shape to which the arrays broadcast.
+        """Return the values of the margin, or where the criterion holds, in the common shape of arrays.
 
         Parameters
         ----------
         **arrays : array-like
             one for each name; they broadcast as in NumPy. Arrays of shapes (n, 1) and (m,) make a grid, and
-            nothing is computed again along an axis on which it does not depend. float32 throughout gives
-            float32
+            nothing is computed again along an axis on which it does not depend. If all are float32, the
+            result is float32
         out : array or None
-            where to write; C-contiguous, of the shape of the result; it may overlap the arrays given. Of
-            NumPy and Numba
+            where to write, with NumPy and Numba; C-contiguous, of the shape of the result; it may overlap the
+            arrays given; default a new array
         threads : int
-            blocks are shared out among them
+            how many threads share the blocks; default 1
 
         Returns
         -------
         array
-            floats [the dimension of the margin], or bool of a criterion
+            floats [the dimension of the margin]; for a criterion bool
 
         Raises
         ------
@@ -116,7 +117,7 @@ class CompiledMargin:
         return result if grid.shape or out is not None else result[()]
 
     def _writer(self, grid: Grid, kind: Any) -> Writer:
-        """What fills a block."""
+        """Return what fills a block."""
         def written(expression: Expr, relation: Relation | None) -> Writer:
             return writer(expression, relation, grid, self.backend, kind, self._spent)
 
@@ -125,7 +126,7 @@ class CompiledMargin:
         return truth(self._what, written, partial(joined, np.logical_and), partial(joined, np.logical_or))
 
     def _everywhere(self, xp: ModuleType, arrays: Mapping[str, Any]) -> Any:
-        """The whole result at once, in another namespace."""
+        """Return the whole result at once, in another namespace."""
         kinds = [a.dtype for a in (arrays[name] for name in self.names) if hasattr(a, "dtype")
                  and xp.isdtype(a.dtype, "real floating")]
         kind = xp.result_type(*kinds) if kinds else xp.asarray(1.0).dtype
@@ -142,19 +143,20 @@ class CompiledMargin:
 
 @checked
 def compile_margin(what: Condition | Criterion | Expr, backend: str | ModuleType = "numpy") -> CompiledMargin:
-    """A function of named arrays: the values of a margin, or where a criterion holds.
+    """Return a function of named arrays: the values of a margin, or where a criterion holds.
 
     Parameters
     ----------
     what : Condition, Criterion or Expr
         a condition stands for its margin [its dimension], a criterion for a bool
     backend : str or module
-        "numpy"; "numba" (extra fast); or a namespace of the array API standard, such as jax.numpy
+        "numpy", the default; "numba" (extra fast); or a namespace of the array API standard, such as
+        jax.numpy
 
     Returns
     -------
     CompiledMargin
-        names, and calling it with arrays
+        it has the names, and is called with arrays
 
     Raises
     ------
@@ -174,11 +176,13 @@ def compile_margin(what: Condition | Criterion | Expr, backend: str | ModuleType
     --------
     >>> import gyrostat as gs
     >>> import numpy as np
-    >>> report = gs.analyze(gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())))
+    >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
+    >>> report = gs.analyze(gs.upright(top))
     >>> stable = gs.charts.compile_margin(report.sufficient)
     >>> stable.names
     ('I1', 'l', 'm0', 'pi3_0')
-    >>> stable(I1=1, m0=1, l=np.array([[-1.0], [1.0]]), pi3_0=np.array([0.0, 1.0, 2.0]))
+    >>> rotor, spin = np.array([[-1.0], [1.0]]), np.array([0.0, 1.0, 2.0])
+    >>> stable(I1=1, m0=1, l=rotor, pi3_0=spin)
     array([[False, False, False],
            [False, False,  True]])
     """

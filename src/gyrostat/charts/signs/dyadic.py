@@ -1,4 +1,4 @@
-"""Exact signs of polynomials at many doubles at once: a double is a whole number times a power of 2."""
+"""Proves signs of polynomials at many doubles at once: a double is a whole number times a power of 2."""
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
@@ -11,13 +11,13 @@ from .straightline import Program
 
 WORD = 64                                              # bits of a machine number
 NOTHING = 2**20                                        # the power of 0, beyond all others
-LONGEST = 4096                                         # bits of whole numbers that are not too long
-TOGETHER = 1024                                        # points of which those are kept in memory
+LONGEST = 4096                                         # the most bits of whole numbers of any length
+TOGETHER = 1024                                        # the points for which those are kept in memory
 
 
 @dataclass(frozen=True, eq=False)
 class Dyadics:
-    """Numbers whole · 2^power: arrays, the whole ones modulo 2⁶⁴, or Python's without an end.
+    """Numbers whole · 2^power in arrays, the whole ones modulo 2⁶⁴, or Python's, of any length.
 
     Sums and products are taken without rounding.
     """
@@ -40,28 +40,29 @@ class Dyadics:
         return Dyadics(self.whole * other.whole, self.power + other.power)
 
     def _shifted(self, power: Array) -> Array:
-        """The whole numbers of a lower power."""
+        """Return the whole numbers of a lower power."""
         return self.whole << (self.power - power).astype(self.whole.dtype)
 
 
 def dyadic_signs(program: Program, leaves: Mapping[Expr, Array], most: Array) -> tuple[Array, Array]:
-    """The signs of a polynomial with whole coefficients at doubles in a row, and where they are found.
+    """Return the signs of a polynomial with whole coefficients at doubles in a row, and where they are found.
 
-    First modulo 2⁶⁴: what is left of a whole number is the number itself where that is known to be smaller,
-    whatever was lost on the way to it. Then in numbers of any length, where those are not too long.
+    They are taken modulo 2⁶⁴ first: the residue of a whole number is the number itself, if the number is
+    known to be small enough, whatever was lost on the way to it. Then they are taken in numbers of any
+    length, if those are not too long.
 
     Parameters
     ----------
     program : Program
-        its leaves symbols
+        with leaves that are symbols
     leaves : mapping of leaf to array
         finite doubles
-    most : array
+    most : array, shape (points,)
         at least abs(value), in doubles
 
     Returns
     -------
-    signs, found : arrays of int8 and bool
+    signs, found : arrays of int8 and bool, shape (points,)
 
     Examples
     --------
@@ -87,7 +88,7 @@ def dyadic_signs(program: Program, leaves: Mapping[Expr, Array], most: Array) ->
 
 
 def dyadics(x: Array) -> Dyadics:
-    """The whole numbers and powers of finite doubles, the whole ones odd."""
+    """Return the whole numbers and powers of finite doubles, the whole ones odd."""
     fraction, power = np.frexp(x)
     whole = np.ldexp(fraction, 53).astype(np.int64)
     zeros = np.maximum(np.frexp((whole & -whole).astype(np.float64))[1] - 1, 0)
@@ -95,7 +96,7 @@ def dyadics(x: Array) -> Dyadics:
 
 
 def _run(program: Program, leaves: Mapping[Expr, Dyadics], kind: Any) -> Dyadics:
-    """The program modulo 2⁶⁴ with NumPy's uint64, in Python's numbers with objects."""
+    """Run the program modulo 2⁶⁴ with NumPy's uint64, or in Python's numbers with objects."""
     def constant(value: Rational) -> Dyadics:
         zeros = max((int(value) & -int(value)).bit_length() - 1, 0)
         odd = int(value) >> zeros

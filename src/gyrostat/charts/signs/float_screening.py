@@ -1,4 +1,4 @@
-"""A list of points screened by floats: one look at its columns, after which few points are left."""
+"""Screens a list of points by floats: one look at its columns, after which few points are left."""
 from collections.abc import Iterable, Sequence
 from itertools import chain
 
@@ -16,17 +16,17 @@ from .rounding import LARGEST, error_bound, rounded
 from .straightline import Program, program_of
 from .verdicts_in_blocks import Decided, Demands
 
-SAMPLE, ROOM = 64, 1.5                                 # numbers of a column that tell how large most are
-HIGHEST = 32                                           # degree up to which a bound has room for larger ones
+SAMPLE, ROOM = 64, 1.5                                 # so many numbers tell the size of most, with a factor
+HIGHEST = 32                                           # degree up to which a bound has room for that factor
 
 
 class Screen:
     """The verdicts of a report at points that have a number of their own for each name, or one for all.
 
-    Some numbers of each column, of high degrees all, tell how large they are; a point whose numbers are not
-    much larger, and whose signs floats prove with the bound that belongs to it, is decided in one loop.
-    Everything else about it is known by then: that its numbers are finite, that the equilibrium exists. All
-    other points are left to Decided.
+    Some numbers of each column tell how large they are; if the degree is high, all of them do. A point whose
+    numbers are not much larger, and whose signs floats prove with the bound that belongs to that size, is
+    decided in one loop. Everything else about it is known by then: that its numbers are finite, and that the
+    equilibrium exists. All other points are left to Decided.
 
     Parameters
     ----------
@@ -51,14 +51,14 @@ class Screen:
         self.function = function_of(_source(grid, programs))
 
     def blocks(self, threads: int) -> list[list[Slices]]:
-        """Long runs of points, a share for each thread at least."""
+        """Return long runs of points, a share for each thread at least."""
         points = self.grid.merged[1]
         length = min(-(-points // max(threads, 1)), NUMBA_BLOCK)
         return [[(slice(0, 1), slice(start, min(start + length, points)))]
                 for start in range(0, points, length)]
 
     def fill(self, tiles: Iterable[Sequence[Slices]], result: Array) -> tuple[int, ...] | None:
-        """Write the verdicts; the first place where the equilibrium does not exist."""
+        """Write the verdicts, and return the first place where the equilibrium does not exist."""
         left = [np.empty(0, int)]
         for block in chain.from_iterable(tiles):
             out = result[block].reshape(-1)
@@ -76,7 +76,7 @@ class Screen:
 
 
 def screened(grid: Grid, demands: Demands) -> bool:
-    """Whether it is a list of doubles, and what decides is one margin without functions."""
+    """Tell whether it is a list of doubles, and one margin without functions decides."""
     if demands.alone is None or demands.zero or grid.exact or len(grid.merged) != 2 or grid.merged[1] < 2:
         return False
     return all(a.size == 1 or a.shape == grid.merged for a in grid.values.values()) and all(
@@ -85,9 +85,9 @@ def screened(grid: Grid, demands: Demands) -> bool:
 
 
 def _largest(array: Array, sampled: bool) -> float:
-    """At least the size of most numbers of a column, or of the one number, NaN if that is not finite.
+    """Return at least the size of most numbers of a column, or of the one number; NaN if that is not finite.
 
-    Places are multiples of the golden section: they fall together with no period that a column has.
+    Places are multiples of the golden section: they do not repeat with any period that a column has.
     """
     if array.size == 1:
         return abs(array.item()) if np.isfinite(array.item()) else float("nan")
@@ -99,7 +99,7 @@ def _largest(array: Array, sampled: bool) -> float:
 
 
 def _source(grid: Grid, programs: Sequence[tuple[Program, str]]) -> str:
-    """The loop over the points of a block."""
+    """Return the source of the loop over the points of a block."""
     names: dict[Expr, str] = {s: f"a{i}[j]" if a.size > 1 else f"a{i}"
                               for i, (s, a) in enumerate(grid.values.items())}
     answers = [f"(abs({name}) <= c{i})" for i, name in enumerate(names.values())]

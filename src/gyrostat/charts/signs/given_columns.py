@@ -1,4 +1,4 @@
-"""What is given for a name, read as floats, and as exact numbers where a float is only near."""
+"""Reads what is given for a name: floats, and exact numbers if a float is only near."""
 from decimal import Decimal
 from fractions import Fraction
 from math import isfinite
@@ -17,7 +17,7 @@ from ...errors import ValuesError
 
 
 def read_entry(name: str, value: Any, kind: Any, finite: bool) -> tuple[Array, Array | None]:
-    """Floats, and the exact numbers where a float is not one."""
+    """Return floats, and the exact numbers if some float is not one; else None."""
     if isinstance(value, str | Decimal | Fraction | Expr) or (
             isinstance(value, int) and not isinstance(value, bool)):
         value = np.array(exact_number(value, name), dtype=object)
@@ -56,21 +56,21 @@ def read_entry(name: str, value: Any, kind: Any, finite: bool) -> tuple[Array, A
 
 
 def all_finite(array: Array) -> bool:
-    """Whether an array of floats has no NaN and no infinity, found without another array."""
+    """Tell whether an array of floats has no NaN and no infinity, without making another array."""
     return not array.size or bool(np.isfinite(array.min()) and np.isfinite(array.max()))
 
 
 def largest_size(array: Array) -> float:
-    """The size of the largest number of an array, NaN aside, found without another array."""
+    """Return the size of the largest number of an array, NaN aside, without making another array."""
     if not array.size:
         return 0.0
     return float(np.fmax(np.fmax.reduce(array, axis=None), -np.fmin.reduce(array, axis=None)))
 
 
 def _near(number: Expr | float) -> float:
-    """A double within one rounding of an exact number.
+    """Return a double within one rounding of an exact number.
 
-    NaN where there is none, or it is too small to be rounded well.
+    It is NaN if there is none, or if the number is too small to be rounded well.
     """
     if isinstance(number, float):
         return number

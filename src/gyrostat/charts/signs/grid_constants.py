@@ -1,4 +1,4 @@
-"""The numbers that are the same at all points of a grid, put into long margins."""
+"""Inserts the numbers that are the same at all points of a grid into long margins."""
 from math import lcm
 
 from flint import fmpq
@@ -10,13 +10,13 @@ from ...algebra.rings.polynomials import Ring
 from ..grids import Grid
 
 LONG = 40                                              # terms up to which a margin is fast as it is
-BITS = 512                                             # of whole coefficients that doubles hold with room
+BITS = 512                                             # of whole coefficients: half of what doubles can hold
 
 
 def with_constants(margin: Expr, grid: Grid) -> Expr:
-    """A polynomial of the same sign in the names that vary, where the margin is long; else the margin.
+    """Return a polynomial of the same sign in the names that vary, if the margin is long; else the margin.
 
-    Its coefficients are whole numbers; where they are too long for doubles the margin is left as it is.
+    Its coefficients are whole numbers; if they are too long for doubles, the margin is left as it is.
     """
     fraction = compiled(margin)
     if fraction is None or fraction[2] is not None or len(fraction[1]) <= LONG:
@@ -35,7 +35,7 @@ def with_constants(margin: Expr, grid: Grid) -> Expr:
 
 
 def _constant(grid: Grid, name: Symbol) -> fmpq | None:
-    """The rational number of a name, None where it varies or is another."""
+    """Return the rational number of a name, None if it varies or is not rational."""
     if name not in grid.values or grid.values[name].size != 1 or grid.strange(name) is not None:
         return None
     number = grid.exact[name].item() if name in grid.exact else grid.values[name].item()

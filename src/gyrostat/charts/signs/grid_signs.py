@@ -1,6 +1,6 @@
-"""Exact signs of an expression on a grid.
+"""Proves the signs of an expression on a grid: by floats with a proved bound, then by whole numbers.
 
-Floats with a proved bound, then whole numbers; with functions or exact numbers balls, and rationals.
+With functions or exact numbers, balls and rationals take the place of whole numbers.
 """
 from functools import lru_cache
 from math import isfinite
@@ -27,7 +27,7 @@ UNKNOWN = 2                                            # no sign is proved
 TOGETHER = 2**14                                       # points, of which all steps fit a cache
 PRECISION = 128                                        # bits of the first balls
 
-# of a function computed in balls and rounded to a double
+# a function is computed in balls, and its middle is rounded to a double: two roundings at most
 _ROUNDINGS = 2
 
 
@@ -39,7 +39,6 @@ class ArraySigns:
     expression : Expr
         a polynomial in symbols, functions and constants
     grid : Grid
-        of doubles
     backend : str
         "numpy" or "numba"
     """
@@ -63,9 +62,9 @@ class ArraySigns:
             return _floats(leaf, {s: cut(array, block) for s, array in _arrays(leaf, self.grid).items()})
 
     def _largest(self, leaf: Expr) -> float:
-        """At least the size of a leaf wherever it is known.
+        """Return at least the size of a leaf wherever it is known.
 
-        Of a function that varies along all axes nothing is known beforehand.
+        Nothing is known beforehand about a function that varies along all axes.
         """
         arrays, full = _arrays(leaf, self.grid), self.grid.full
         along = frozenset().union(*(self.grid.axes[s] for s in arrays))
@@ -74,9 +73,9 @@ class ArraySigns:
         return largest_size(_floats(leaf, arrays))
 
     def __call__(self, block: Slices, out: Array | None = None) -> Array:
-        """The signs in a block, of as many rows and columns as the expression varies along.
+        """Return the signs in a block, of as many rows and columns as the expression varies along.
 
-        What does not change is kept.
+        What does not change from one block to the next is kept.
         """
         key = None if self.whole else [(s.start, s.stop) for s, n in zip(block, self.shape) if n > 1]
         if key is not None and self.kept is not None and self.kept[0] == key:
@@ -91,7 +90,7 @@ class ArraySigns:
         return signs
 
     def empty(self, block: Slices) -> Array:
-        """An array for the signs in a block."""
+        """Return an array for the signs in a block."""
         return np.empty([s.stop - s.start if n > 1 else 1 for s, n in zip(block[-2:], self.shape[-2:])],
                         dtype=np.int8)
 
@@ -106,8 +105,9 @@ class ArraySigns:
         np.subtract(above.view(np.int8), below.view(np.int8), out=out)
 
     def _decide(self, block: Slices, signs: Array) -> None:
-        """Decide what is 0 in a block, some points at a time: with a bound for each, then in whole numbers,
-        then one by one.
+        """Decide what is 0 in a block, some points at a time.
+
+        A bound for each point comes first, then whole numbers, then one point after another.
         """
         program = self.tiles.program
         leaves = {step.value: self.tiles.small(i, block)
@@ -132,7 +132,7 @@ class ArraySigns:
             return [exact(numbers) for numbers in points.numbers(exact.symbols)]
 
     def _bounded(self, leaves: dict[Any, Array], points: int) -> tuple[Array, Array]:
-        """Signs that doubles prove with a bound for each point in a row, 0 elsewhere; and the bounds."""
+        """Return signs that doubles prove with a bound for each point in a row, else 0; and the bounds."""
         program = self.tiles.program
         computed: list[Any] = program.run(leaves.__getitem__, lambda c: np.full(1, rounded(c)[0]))
         bound = error_bound(program, {leaf: np.abs(x) for leaf, x in leaves.items()},
@@ -144,8 +144,8 @@ class ArraySigns:
 class ExactSign:
     """The sign of one expression at one point after another: −1, 0, 1, or UNKNOWN.
 
-    By balls of 128 bits; where they contain 0 by rationals, or, with functions and algebraic numbers, by
-    balls of more bits.
+    It is proved by balls of 128 bits. If they contain 0, it is proved by rationals, or, with functions and
+    algebraic numbers, by balls of more bits.
     """
 
     def __init__(self, expression: Expr):
@@ -155,7 +155,7 @@ class ExactSign:
         self.polynomial = compiled(expression)         # a margin has no denominator
 
     def __call__(self, numbers: tuple[float | Expr, ...]) -> int:
-        """The sign at the numbers of the symbols, in their order."""
+        """Return the sign at the numbers of the symbols, in their order."""
         if not all(isfinite(x) for x in numbers if isinstance(x, float)):
             return UNKNOWN
         with own_precision(PRECISION):
@@ -174,12 +174,12 @@ class ExactSign:
 
 
 def may_vanish(signs: Array) -> Array:
-    """Where it is not proved that a sign is not 0."""
+    """Return where it is not proved that a sign is not 0."""
     return (signs == 0) | (signs == UNKNOWN)
 
 
 def dyadic_rational(x: float | Expr) -> Expr:
-    """The number that a double is."""
+    """Return the number that a double is."""
     return to_sympy(x) if isinstance(x, float) else x
 
 
@@ -188,28 +188,28 @@ def _ball_of(x: float | Expr) -> arb:
 
 
 def _in_whole_numbers(program: Program, grid: Grid) -> bool:
-    """Whether all that is read is doubles, and the coefficients are whole."""
+    """Tell whether all that is read is doubles, and the coefficients are whole."""
     return all(leaf in grid.values and leaf not in grid.exact for leaf in program.leaves) and all(
         isinstance(step.value, Integer) for step in program.steps if step.operation == "constant")
 
 
 def _roundings(program: Program, grid: Grid) -> dict[Expr, int]:
-    """How many roundings are behind each leaf."""
+    """Return how many roundings are behind each leaf."""
     return {leaf: _ROUNDINGS for leaf in program.leaves if not isinstance(leaf, Symbol) or leaf in grid.exact}
 
 
 def _arrays(leaf: Expr, grid: Grid) -> dict[Symbol, Array]:
-    """The numbers of a leaf.
+    """Return the numbers of a leaf.
 
-    Of a symbol the doubles, of a function the exact numbers where they are others.
+    A symbol has doubles; a function has the exact numbers, if the doubles are only near.
     """
     return {s: grid.values[s] if s is leaf else grid.exact.get(s, grid.values[s]) for s in leaf.free_symbols}
 
 
 def _floats(leaf: Expr, arrays: dict[Symbol, Array]) -> Array:
-    """A leaf in doubles: the array of a symbol; a function, computed in balls and rounded.
+    """Return a leaf in doubles: the array of a symbol, or a function, computed in balls and rounded.
 
-    NaN where it is not known that well.
+    It is NaN where the function is not known that well.
     """
     if isinstance(leaf, Symbol):
         return arrays[leaf]
@@ -222,7 +222,7 @@ def _floats(leaf: Expr, arrays: dict[Symbol, Array]) -> Array:
 
 @lru_cache(maxsize=2**16)
 def _near(leaf: Expr, symbols: tuple[Symbol, ...], numbers: tuple[float | Expr, ...]) -> float:
-    """A double within two roundings of a function."""
+    """Return a double within two roundings of a function."""
     enclosure = ball(leaf, PRECISION, {s: _ball_of(x) for s, x in zip(symbols, numbers)})
     if not enclosure.is_finite() or enclosure.rel_accuracy_bits() < 60 and enclosure != 0:
         return float("nan")

@@ -1,4 +1,4 @@
-"""The work at each point of a block as one loop, compiled by Numba and kept on disk."""
+"""Compiles the work at each point of a block to one loop, by Numba, and keeps it on disk."""
 import atexit
 import hashlib
 import importlib.util
@@ -21,7 +21,7 @@ from ..grids import Slices
 from .straightline import Step
 from .tiles import Tiles
 
-SIGN = "({0} > bound) - ({0} < -bound)"                    # what is written of a value {0}
+SIGN = "({0} > bound) - ({0} < -bound)"                    # the sign of a value {0}, 0 if it is not proved
 _SYMBOLS = {"add": "+", "subtract": "-", "multiply": "*"}
 
 
@@ -32,9 +32,9 @@ class Kernel:
     ----------
     tiles : Tiles
     finish : str
-        what is written of the value {0}, such as "{0} > 0"
+        the expression that is written for the value {0}, such as "{0} > 0"
     spent : list
-        the seconds of a compilation, or of reading it from disk, with the first block, are entered
+        gets the seconds of a compilation, or of reading it from disk, with the first block
     """
 
     def __init__(self, tiles: Tiles, finish: str, spent: list[float]):
@@ -72,7 +72,7 @@ class Kernel:
 
 
 def assignments(steps: Iterable[tuple[int, Step]], names: dict[int, str], letter: str) -> list[str]:
-    """Operations of a program as they stand in a loop; the names of their results are entered."""
+    """Return operations of a program as they stand in a loop; the names of their results are entered."""
     lines = []
     for i, step in steps:
         arguments = [names[n] for n in step.arguments]
@@ -84,13 +84,19 @@ def assignments(steps: Iterable[tuple[int, Step]], names: dict[int, str], letter
 
 @lru_cache(maxsize=128)
 def function_of(source: str) -> Any:
-    """The function, compiled when first called, or read from disk where a process has compiled it before."""
+    """Return the function of a source, compiled when it is first called.
+
+    If a process has compiled it before, it is read from disk.
+    """
     numba = optional("numba", "fast")
     return numba.njit(cache=True, nogil=True, error_model="numpy")(_module(source).kernel)
 
 
 def _module(source: str) -> ModuleType:
-    """The source as a module of its own: Numba keeps what it compiles beside the file that it comes from."""
+    """Return the source as a module of its own.
+
+    Numba keeps what it compiles beside the file that it comes from.
+    """
     name = "gyrostat_kernel_" + hashlib.sha256(source.encode()).hexdigest()[:24]
     path = _folder() / f"{name}.py"
     if not path.exists() or path.read_text(encoding="utf-8") != source:
@@ -107,7 +113,10 @@ def _module(source: str) -> ModuleType:
 
 @lru_cache(maxsize=1)
 def _folder() -> Path:
-    """Where kernels are kept: the user's cache, or a folder of this process where that cannot be written."""
+    """Return where kernels are kept: the user's cache, or a folder of this process.
+
+    The second is used if the first cannot be written.
+    """
     try:
         folder = Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "gyrostat"
         folder.mkdir(parents=True, exist_ok=True)
@@ -120,7 +129,10 @@ def _folder() -> Path:
 
 
 def _kind(operand: Array) -> str:
-    """How an operand varies over a block: a scalar, with the column, with the row, or with both."""
+    """Return how an operand varies over a block.
+
+    It is a scalar "s", or varies with the column "c", with the row "r", or with both "f".
+    """
     if operand.size == 1:
         return "s"
     if operand.shape[0] == 1:
@@ -129,7 +141,7 @@ def _kind(operand: Array) -> str:
 
 
 def _given(operand: Array, kind: str) -> Any:
-    """An operand as a kernel of its kind takes it."""
+    """Return an operand as a kernel of its kind takes it."""
     if kind == "s":
         return operand[0, 0]
     if kind == "c":

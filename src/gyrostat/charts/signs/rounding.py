@@ -1,6 +1,6 @@
-"""How far the floating-point value of a margin is from the exact one.
+"""Bounds how far the floating-point value of a margin is from the exact one.
 
-A bound that is proved, underflow and overflow included.
+The bound is proved, underflow and overflow included.
 """
 from collections.abc import Mapping, Sequence
 from typing import Any
@@ -12,7 +12,7 @@ from .straightline import Program
 
 UNIT = 2.0**-53                                        # half the distance from 1 to the next double
 SMALLEST = 2.0**-1074
-LARGEST = 2.0**1000                                    # nothing above is trusted not to overflow on the way
+LARGEST = 2.0**1000                                    # above, an overflow on the way is not excluded
 # for products of errors and for the rounding of the bound itself
 SLACK = 1 + 2.0**-20
 Magnitude = Any                                        # a float or an array of them
@@ -20,12 +20,12 @@ Magnitude = Any                                        # a float or an array of 
 
 def error_bound(program: Program, magnitudes: Mapping[Expr, Magnitude], roundings: Mapping[Expr, int],
                 computed: Sequence[Magnitude] | None = None) -> Magnitude:
-    """e such that |value in doubles − exact value| < e wherever the leaves are no larger than the magnitudes.
+    """Return e such that abs(value in doubles − exact value) < e, if no leaf is larger than its magnitude.
 
     Each step is x̂ with abs(x̂ − x) ≤ n u M + A η: u = 2⁻⁵³, η = 2⁻¹⁰⁷⁴, M the same step with all signs
     positive, n the number of roundings on the longest way, A what underflow adds. A sum of two takes the
     larger n and one more, a product both and two more (the second for the product of the errors); a product
-    may underflow by η, a sum never does. Where M may pass 2¹⁰⁰⁰ there is no bound, e = ∞.
+    may underflow by η, a sum never does. If M may pass 2¹⁰⁰⁰ there is no bound, e = ∞.
 
     Parameters
     ----------
@@ -33,10 +33,10 @@ def error_bound(program: Program, magnitudes: Mapping[Expr, Magnitude], rounding
     magnitudes : mapping of leaf to float or array
         at least abs(leaf), in doubles
     roundings : mapping of leaf to int
-        how many roundings a leaf has behind it; a leaf that is left out is exact
+        how many roundings a leaf has behind it; one that is not among them is exact
     computed : sequence of float or array
-        the steps as computed, where known: a sum of two exact numbers, and products of such, have a small
-        relative error, whatever cancels
+        the steps as computed, if they are known: a sum of two exact numbers, and products of such, have a
+        small relative error, whatever cancels
 
     Returns
     -------
@@ -93,7 +93,7 @@ def error_bound(program: Program, magnitudes: Mapping[Expr, Magnitude], rounding
 
 
 def rounded(value: Any) -> tuple[float, int]:
-    """A positive rational constant as a double, and how many roundings that is: 0 or 1."""
+    """Return a positive rational constant as a double, and how many roundings that is: 0 or 1."""
     p, q = int(value.p), int(value.q)
     try:
         near = p / q

@@ -1,4 +1,7 @@
-"""Points that gyroscopic forces alone stabilise, decided together: D4 in arrays of balls."""
+"""Decides points that gyroscopic forces alone stabilise together: D4 in arrays of balls.
+
+It is Birkhoff's normal form of the fourth degree, computed for all points at once.
+"""
 import operator
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial, reduce
@@ -25,16 +28,16 @@ Number = Callable[[Expr], BallArray]
 
 
 def held(report: Report, grid: Grid) -> Array:
-    """The sign of D4 where no resonance to order 4 holds, and no eigenvalue is real or 0: stable if not 0.
+    """Return the sign of D4, if no resonance to order 4 holds, and no eigenvalue is real or 0.
 
-    Where it is not proved so in doubles, 0.
+    A point is stable if it is not 0. It is 0 if that is not proved in doubles.
 
     Parameters
     ----------
     report : Report
         of a body in a field
     grid : Grid
-        of one axis
+        with one axis
 
     Returns
     -------
@@ -44,9 +47,10 @@ def held(report: Report, grid: Grid) -> Array:
 
 
 def twists(report: Report, given: Mapping[Symbol, BallArray], count: int) -> tuple[BallArray, BallArray]:
-    """D4 where no resonance to order 4 holds, and the margin of 1:2, where no eigenvalue is real or 0.
+    """Return D4 and the margin of 1:2, over all numbers of the balls.
 
-    Over all numbers of the balls; of infinite radius elsewhere. D4 has poles only where that margin is 0.
+    D4 is known where no resonance to order 4 holds, the margin where no eigenvalue is real or 0; elsewhere
+    the radius is infinite. D4 has poles only where that margin is 0.
     """
     eq = report.equilibrium
     potential = eq.system.potential
@@ -80,7 +84,7 @@ def twists(report: Report, given: Mapping[Symbol, BallArray], count: int) -> tup
 
 def _twists(numbers: list[BallArray], U: Expr, names: dict[Symbol, BallArray],
             upright: int) -> list[BallArray]:
-    """At points that have the same axis farthest from k."""
+    """Return the same at points that have the same axis farthest from k."""
     inverse = [numbers[3 * i:3 * i + 3] for i in range(3)]
     rotor, pi, k = (numbers[n:n + 3] for n in (9, 12, 15))
     momentum = [x + y for x, y in zip(pi, rotor)]
@@ -95,7 +99,7 @@ def _twists(numbers: list[BallArray], U: Expr, names: dict[Symbol, BallArray],
         discriminant = p**2 - 4 * q
         proved = p.positive() & q.positive() & discriminant.positive()
         double = resonance_margin(p, q, 1, 2).where(proved)
-        for pair in resonances_up_to(4):
+        for pair in resonances_up_to(4):                   # Arnold's theorem asks for none of them
             proved = proved & resonance_margin(p, q, *pair).excludes_zero()
         unknown = double.where(np.zeros_like(proved))
         if not proved.any():
@@ -111,19 +115,19 @@ def _twists(numbers: list[BallArray], U: Expr, names: dict[Symbol, BallArray],
 
 
 def leaf(grid: Grid, name: Symbol) -> BallArray:
-    """The numbers of a name, doubles or near doubles."""
+    """Return the numbers of a name as balls, doubles or near doubles."""
     return near(np.asarray(grid.values[name], float).ravel(), name not in grid.exact)
 
 
 def _cut(x: BallArray, at: Array, shape: tuple[int, ...]) -> BallArray:
-    """Of some points."""
+    """Return the balls of some points."""
     if x.middle.size == 1 and shape != (1,):
         return x
     return BallArray(x.middle[at], x.radius[at])
 
 
 def _evaluated(expression: Expr, names: dict[Symbol, BallArray]) -> BallArray:
-    """A fraction of polynomials in names, with constants of any kind."""
+    """Return a fraction of polynomials in names, with constants of any kind, in balls."""
     def leaf(node: Expr) -> BallArray:
         if isinstance(node, Symbol):
             return names[node]

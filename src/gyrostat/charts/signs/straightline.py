@@ -1,6 +1,10 @@
-"""Margins as straight-line programs.
+"""Writes margins as straight-line programs: additions and products, in an order that suits a grid.
 
-Additions and products in an order that leaves least to do for each point.
+The order leaves least to do for each point.
+
+References
+----------
+Bürgisser, Clausen & Shokrollahi, Algebraic Complexity Theory (1997), chapter 4.
 """
 import operator
 from collections import Counter
@@ -30,13 +34,13 @@ class Step:
     Parameters
     ----------
     operation : str
-        leaf: a symbol, or a function or constant that is no polynomial
+        one of Operation; a leaf is a symbol, or a function or constant that is no polynomial
     arguments : tuple of int
-        earlier steps
+        the earlier steps whose results it takes
     value : Expr or None
         the leaf, or the rational constant
     axes : frozenset of int
-        axes of the grid along which the result varies
+        the axes of the grid along which the result varies
     """
 
     operation: Operation
@@ -53,20 +57,21 @@ class Program:
 
     @property
     def leaves(self) -> Iterator[Expr]:
-        """Symbols and functions that are read."""
+        """The symbols and functions that are read."""
         return (step.value for step in self.steps if step.operation == "leaf")
 
     def run(self, leaf: Callable[[Expr], Value], constant: Callable[[Rational], Value],
             arithmetic: Any = OPERATORS) -> list[Value]:
-        """The results of all steps, in any arithmetic that has add, subtract, multiply and negative.
+        """Return the results of all steps, in any arithmetic that has add, subtract, multiply and negative.
 
-        Default are the operators of Python. The last is the program's.
+        By default it is that of Python's operators. The last result is the program's.
 
         Examples
         --------
         >>> import gyrostat as gs
         >>> from fractions import Fraction
-        >>> program_of(gs.symbol("x")**3 - 2, {}).run(lambda _: Fraction(3, 2), int)[-1]
+        >>> program = program_of(gs.symbol("x")**3 - 2, {})
+        >>> program.run(lambda _: Fraction(3, 2), int)[-1]
         Fraction(11, 8)
         """
         results: list[Value] = []
@@ -81,12 +86,11 @@ class Program:
 
 
 def program_of(margin: Expr, axes: Mapping[Symbol, Axes]) -> Program:
-    """The program of a polynomial in symbols and functions, squares completed, in the order that suits the
-    axes of its symbols.
+    """Return the program of a polynomial in symbols and functions, in the order that suits a grid.
 
-    Sums and products are taken first among what varies along the fewest axes, so that nothing is done again
-    along an axis on which it does not depend; equal parts are computed once. A symbol that is not in axes
-    varies along none.
+    Squares are completed. Sums and products are taken first among what varies along the fewest axes, so that
+    nothing is done again along an axis on which it does not depend; equal parts are computed once. A symbol
+    that is not in axes varies along none.
     """
     return _program(margin,
                     tuple(sorted(((s.name, a) for s, a in axes.items() if a), key=lambda pair: pair[0])))
@@ -114,7 +118,7 @@ def _used(steps: Sequence[Step], last: int) -> list[int]:
 
 
 class _Writer:
-    """Steps as they are written; a term is a step and whether it counts negatively."""
+    """A program as it is written; a term is a step and whether it counts negatively."""
 
     def __init__(self, axes: Mapping[Symbol, Axes]):
         self.axes = axes
@@ -147,7 +151,7 @@ class _Writer:
         return self.step("leaf", value=node, along=along), False
 
     def fold(self, terms: list[tuple[int, bool]], join: Callable[..., tuple[int, bool]]) -> tuple[int, bool]:
-        """Two terms are joined at a time, those that vary along the fewest axes together first."""
+        """Join two terms at a time, those that vary along the fewest axes together first."""
         while len(terms) > 1:
             i, j = min(combinations(self._candidates(terms), 2),
                        key=lambda pair: self._together(*(terms[n][0] for n in pair)))
@@ -156,7 +160,10 @@ class _Writer:
         return terms[0]
 
     def _candidates(self, terms: list[tuple[int, bool]]) -> list[int]:
-        """The first two terms of those that vary along the same axes: any pair is like one of these."""
+        """Return the first two terms of those that vary along the same axes.
+
+        Any other pair is like one of these.
+        """
         count = Counter[Axes]()
         places: list[int] = []
         for n, (term, _) in enumerate(terms):

@@ -8,17 +8,17 @@ from ...algebra.enclosures.floats import Array
 
 
 def answered(holds: Array, fails: Array) -> Array:
-    """Answers from where something is proved and where the contrary is, neither at once."""
+    """Return answers from where something is proved and where the contrary is, neither at once."""
     return holds.view(np.int8) - fails.view(np.int8)
 
 
 def every(answers: Iterable[Array]) -> Array:
-    """The conjunction of answers."""
+    """Return the conjunction of answers."""
     given = list(answers)
     return reduce(np.minimum, given) if given else np.ones((), np.int8)
 
 
 def some(answers: Iterable[Array]) -> Array:
-    """The disjunction of answers."""
+    """Return the disjunction of answers."""
     given = list(answers)
     return reduce(np.maximum, given) if given else -np.ones((), np.int8)

@@ -1,6 +1,6 @@
-"""A program over the blocks of a grid.
+"""Runs a program over the blocks of a grid, in place.
 
-What does not change from one block to the next is kept, the rest is done in place.
+What does not change from one block to the next is kept.
 """
 from collections.abc import Callable
 from typing import Any
@@ -26,9 +26,9 @@ class Tiles:
     full : frozenset of int
         the axes along which the grid varies
     read : callable
-        a leaf in a block, shape (1, …, 1, rows or 1, columns or 1)
+        gives a leaf in a block, shape (1, …, 1, rows or 1, columns or 1)
     kind : NumPy type
-        of the floats
+        the type of the floats
     """
 
     def __init__(self, program: Program, full: Axes, read: Read, kind: Any = np.float64):
@@ -39,17 +39,17 @@ class Tiles:
 
     @cached_property
     def operands(self) -> list[int]:
-        """Steps that the work at each point starts from: those that vary along fewer axes, and leaves."""
+        """The steps that the work at each point starts from: those that vary along fewer axes, and leaves."""
         used = {i for i, step in self.inner for i in step.arguments}
         return sorted(i for i in used if not self.whole[i] or not self.program.steps[i].arguments)
 
     @cached_property
     def inner(self) -> list[tuple[int, Step]]:
-        """Steps done at each point."""
+        """The steps that are done at each point."""
         return [(i, step) for i, step in enumerate(self.program.steps) if self.whole[i] and step.arguments]
 
     def small(self, place: int, block: Slices) -> Array:
-        """A step that is not done at each point, or a leaf, in a block."""
+        """Return a step that is not done at each point, or a leaf, in a block."""
         step = self.program.steps[place]
         if self.whole[place]:
             assert step.value is not None
@@ -71,8 +71,9 @@ class Tiles:
         return last(self.read(leaf, block))
 
     def value(self, block: Slices, out: Array | None = None) -> Array:
-        """The program's result in a block, into out where it is given, else into a buffer that the next block
-        uses again.
+        """Return the program's result in a block, in out if it is given.
+
+        Otherwise it is in a buffer that the next block uses again.
         """
         if not self.inner:
             return self.small(len(self.program.steps) - 1, block)

@@ -1,4 +1,4 @@
-"""The exact verdict at every point of a grid."""
+"""The exact verdict at every point of a grid: floats with a proved bound first, then exact numbers."""
 from collections.abc import Callable, Mapping
 from functools import partial
 from typing import Any
@@ -24,11 +24,11 @@ from .verdicts_in_blocks import Decided, demands_of
 def verdicts(report: Report, values: Mapping[Any, Any] | None = None, /, *, damped: bool = False,
              invalid: str = "raise", backend: str = "numpy", threads: int = 1, out: Array | None = None,
              progress: Told | bool | None = None, **arrays: Any) -> Array:
-    """The exact verdict at every point of a grid.
+    """Return the exact verdict at every point of a grid.
 
-    What Report.verdict says of each point, near the speed of the margin in doubles: those decide where they
-    are further from 0 than a proved bound of their error, balls and rationals decide the rest, and on the
-    boundary the ladder does. A float is the dyadic rational that it is.
+    It is what Report.verdict says at each point, near the speed of the margin in doubles. Doubles decide if
+    they are further from 0 than a proved bound of their error, balls and rationals decide the rest, and on
+    the boundary the ladder does. A float is the dyadic rational that it is.
 
     Parameters
     ----------
@@ -37,18 +37,20 @@ def verdicts(report: Report, values: Mapping[Any, Any] | None = None, /, *, damp
         float64, float32, integers, or objects: Fraction, SymPy numbers; they broadcast. Arrays of shapes
         (n, 1) and (m,) make a grid, which is fastest. The eliminated name is omitted
     damped : bool
-        whether the body loses energy inside: what Report.verdict says of that. Where the second variation is
-        degenerate, or the damping does not reach every motion, point by point
+        whether the body loses energy inside, as in Report.verdict; default False. If the second variation is
+        degenerate, or the damping does not reach every motion, it is decided point by point
     invalid : str
-        "raise", or "mark": where the equilibrium does not exist, or a number is not finite
+        "raise", the default, or "mark": what to do if the equilibrium does not exist, or a number is not
+        finite
     backend : str
-        "numpy", or "numba" (extra fast)
+        "numpy", the default, or "numba" (extra fast)
     threads : int
+        how many threads share the blocks; default 1
     out : array of int8 or None, of the common shape
-        to write to; it may overlap the arrays given
+        the array to write to; it may overlap the arrays given; default a new one
     progress : callable, False or None
-        called with the blocks that are done and all blocks; None: a bar on a terminal or in a notebook, where
-        it takes longer than some seconds
+        called with the number of blocks that are done and of all blocks; by default a bar is drawn on a
+        terminal or in a notebook, if it takes longer than some seconds
     **arrays : number or array, any shape
         the same as values, by keyword
 
@@ -76,8 +78,11 @@ def verdicts(report: Report, values: Mapping[Any, Any] | None = None, /, *, damp
     --------
     >>> import gyrostat as gs
     >>> import numpy as np
-    >>> top = gs.analyze(gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())))
-    >>> gs.charts.verdicts(top, I1=1, m0=1, l=np.array([[0.0], [0.5]]), pi3_0=np.array([-2.0, 1.0, 1.5, 2.0]))
+    >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
+    >>> report = gs.analyze(gs.upright(top))
+    >>> rows, columns = [[0.0], [0.5]], [-2.0, 1.0, 1.5, 2.0]
+    >>> gs.charts.verdicts(report, I1=1, m0=1, l=np.array(rows),
+    ...                    pi3_0=np.array(columns))
     array([[ 1, -1, -1,  1],
            [-1, -1,  1,  1]], dtype=int8)
     """
@@ -88,7 +93,10 @@ def verdicts(report: Report, values: Mapping[Any, Any] | None = None, /, *, damp
 def decided(report: Report, values: Mapping[str, Any], damped: bool = False, invalid: str = "raise",
             backend: str = "numpy", threads: int = 1, out: Array | None = None, rungs: Array | None = None,
             progress: Told | bool | None = False) -> Array:
-    """As verdicts; into rungs, zeros of int8 of the common shape, what decided each point is written."""
+    """Return the verdicts at every point of a grid, and write what decided each point into rungs.
+
+    The array rungs has zeros of int8 and the common shape; the other arguments are those of verdicts.
+    """
     if invalid not in ("raise", "mark"):
         raise ArgumentError(f"invalid = {invalid!r} is neither 'raise' nor 'mark': choose one")
     if backend not in ("numpy", "numba"):
@@ -137,7 +145,7 @@ def _refuse_strange(report: Report, given: Mapping[str, Any], grid: Grid, damped
 
 
 def grid_for(report: Report, given: Mapping[str, Any], finite: bool = True, damped: bool = False) -> Grid:
-    """The grid of the names given, all that a verdict needs and no other."""
+    """Return the grid of the names given, all that a verdict needs and no other."""
     required = (report.secular if damped else report).compared
     check_family(report.equilibrium, given, required, report.parameters, "give a number or an array for each")
     return grid_of(given, finite=finite)

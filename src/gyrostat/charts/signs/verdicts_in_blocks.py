@@ -1,4 +1,4 @@
-"""Verdicts in the blocks of a grid: proved signs of margins, and the ladder between the two criteria."""
+"""Makes verdicts in the blocks of a grid: proved signs of margins, and the ladder between criteria."""
 from collections.abc import Iterable, Sequence
 from functools import reduce
 from itertools import chain, repeat
@@ -35,7 +35,7 @@ class Demands(NamedTuple):
 
 
 def demands_of(report: Report, grid: Grid, damped: bool) -> Demands:
-    """The demands of a report on the numbers of a grid."""
+    """Return the demands of a report on the numbers of a grid."""
     eq, alone = report.equilibrium, None if damped else _single(report.sufficient)
     return Demands((*eq.existence(), *(s for s in grid.values if s.is_positive)),
                    tuple(e for e in _denominators(eq.field_values) if e.free_symbols <= grid.values.keys()),
@@ -46,7 +46,7 @@ def demands_of(report: Report, grid: Grid, damped: bool) -> Demands:
 class Decided:
     """The verdicts of a report over a grid, written block by block on one thread.
 
-    With rungs, of the merged shape, what decided each point between the two criteria is written too.
+    If there are rungs, of the merged shape, what decided each point between the two criteria is written, too.
     """
 
     def __init__(self, report: Report, grid: Grid, backend: str, damped: bool = False,
@@ -66,7 +66,7 @@ class Decided:
         return self.known[expression]
 
     def fill(self, tiles: Iterable[Sequence[Slices]], result: Array) -> tuple[int, ...] | None:
-        """Write the verdicts; the first place where the equilibrium does not exist."""
+        """Write the verdicts, and return the first place where the equilibrium does not exist."""
         first: tuple[int, ...] | None = None
         for block in chain.from_iterable(tiles):
             out = result[block][(0,) * (result.ndim - 2)]
@@ -81,7 +81,7 @@ class Decided:
         return first
 
     def _nowhere(self, block: Slices) -> Array | None:
-        """Where the equilibrium does not exist, or a number is not finite; None: nowhere in the block."""
+        """Return where the equilibrium does not exist, or a number is not finite; None if nowhere."""
         wrong = [last(cut(a, block)) for a in self.unsafe]
         wrong += [signs(block) < 1 for signs in self.positive] + [signs(block) == 0 for signs in self.nonzero]
         wrong += [abs(signs(block)) == 1 for signs in self.zero]
@@ -89,7 +89,7 @@ class Decided:
         return reduce(np.logical_or, found) if found else None
 
     def _doubtful(self, block: Slices) -> Array:
-        """Where it is not proved that the equilibrium exists."""
+        """Return where it is not proved that the equilibrium exists."""
         return _some_of(signs(block) == UNKNOWN for signs in (*self.positive, *self.zero))
 
     def _decide(self, block: Slices, out: Array, nowhere: Array | None) -> None:
@@ -104,7 +104,7 @@ class Decided:
             out[out == UNKNOWN] = UNDECIDED
         elif self.damped:
             positive = self._holds(self.report.damped, block)
-            out[...] = positive                        # where it is not, and neither is degenerate, unstable
+            out[...] = positive                        # not positive, and no exception: unstable
             between = np.broadcast_to(positive < 0, out.shape) & self._exceptional(block)
         else:
             sufficient, necessary = (self._holds(c, block)
@@ -125,14 +125,14 @@ class Decided:
                     self.rungs[block][(0,) * (self.rungs.ndim - 2)][at] = rungs
 
     def _on_curve(self, block: Slices) -> Array:
-        """Where a satellite may lie on a closed curve of equilibria."""
+        """Return where a satellite may lie on a closed curve of equilibria."""
         if not may_lie_on_curve(eq := self.report.equilibrium):
             return np.zeros((1, 1), bool)
         determinant = orientation_form(eq).stiffness.det(method="berkowitz")
         return may_vanish(self._signs(eq.insert(determinant))(block))
 
     def open(self, block: Slices) -> Array:
-        """Where it is proved that the equilibrium exists and lies between the two criteria."""
+        """Return where it is proved that the equilibrium exists and lies between the two criteria."""
         sufficient, necessary = (self._holds(c, block)
                                  for c in (self.report.sufficient, self.report.necessary))
         nowhere = self._nowhere(block)
@@ -140,10 +140,10 @@ class Decided:
         return found if nowhere is None else found & ~nowhere
 
     def _between(self, grid: Grid) -> tuple[Array | list[int], Array | list[int]]:
-        """Verdicts at points that the criteria leave open, and what decided each.
+        """Return verdicts at points that the criteria leave open, and what decided each.
 
-        By the ladder of the boundary; where there is none, together where gyroscopic forces hold them, the
-        others one by one.
+        The ladder of the boundary decides. If there is none, points that gyroscopic forces stabilise are
+        decided together, and the others one by one.
         """
         boundary = self.report.boundary
         if boundary is not None and not self.damped:
@@ -164,7 +164,7 @@ class Decided:
         return verdicts, rungs
 
     def _exceptional(self, block: Slices) -> Array:
-        """Where the form may be degenerate, or damping not reach all; all over without names that tell."""
+        """Return where the form may be degenerate, or damping not reach all: all over if names are open."""
         standard = self.report.secular.standard
         if {*standard.counted_by} - {s.name for s in self.grid.values}:
             return np.ones((1, 1), bool)
@@ -180,7 +180,7 @@ class Decided:
         return np.asarray(one_may_vanish(degenerate) | unreached)
 
     def _holds(self, criterion: Criterion, block: Slices) -> Array:
-        """1 where the criterion holds, −1 where it does not, 0 where that is not proved."""
+        """Return 1 where the criterion holds, −1 where it does not, 0 where that is not proved."""
         def compare(expression: Expr, relation: Relation) -> Array:
             signs = self._signs(expression)(block)
             known, holds = signs != UNKNOWN, relation(signs, 0)
@@ -190,20 +190,21 @@ class Decided:
 
 
 def _some_of(answers: Iterable[Array]) -> Array:
-    """Where one of them is true."""
+    """Return where one of them is true."""
     return reduce(np.logical_or, answers, np.zeros((1, 1), bool))
 
 
 def _climbed(boundary: Boundary, grid: Grid, vanishing: Expr | None) -> Array:
-    """Verdicts at points in a row by the ladder, each rung at the points where all below it vanish, as a
-    margin may be known to.
+    """Return verdicts at points in a row by the ladder of the boundary.
+
+    Each rung decides at the points where all below it vanish, as a margin may be known to.
     """
     found = np.full(grid.shape, UNDECIDED, dtype=np.int8)
     left = np.arange(len(found))
     for rung in boundary.decisive():
         if not rung.condition.symbols <= grid.values.keys():
             return found
-        if rung.condition.margin == vanishing:         # and 0 it is with even factors as well
+        if rung.condition.margin == vanishing:         # it is 0 here, and even factors do not change that
             continue
         signs = signs_in_row(rung.condition, grid.at(grid.whole, np.zeros_like(left), left))
         decided = np.where(rung.stable(signs), STABLE, UNSTABLE)
@@ -217,7 +218,7 @@ def _climbed(boundary: Boundary, grid: Grid, vanishing: Expr | None) -> Array:
 
 
 def signs_in_row(condition: Condition, grid: Grid) -> Array:
-    """The sign of a condition at points in a row, 0 where an even factor vanishes."""
+    """Return the sign of a condition at points in a row, 0 where an even factor vanishes."""
     signs, *factors = (np.broadcast_to(ArraySigns(e, grid)(grid.whole)[0], grid.shape)
                        for e in (condition.margin, *condition.degenerate))
     for factor in factors:
@@ -226,12 +227,12 @@ def signs_in_row(condition: Condition, grid: Grid) -> Array:
 
 
 def _place(block: Slices, row: int, column: int) -> tuple[int, ...]:
-    """The place in the merged grid of a row and column of a block."""
+    """Return the place in the merged grid of a row and column of a block."""
     return (*(s.start for s in block[:-2]), block[-2].start + int(row), block[-1].start + int(column))
 
 
 def _single(criterion: Criterion) -> Expr | None:
-    """The margin that decides alone, None if there is no such."""
+    """Return the margin that decides alone, None if there is no such margin."""
     conditions = list(chain.from_iterable(criterion.alternatives))
     if len(criterion.alternatives) != 1 or len(conditions) != 1 or conditions[0].degenerate:
         return None
@@ -239,7 +240,7 @@ def _single(criterion: Criterion) -> Expr | None:
 
 
 def _denominators(values: Sequence[Expr]) -> list[Expr]:
-    """What must not vanish for U and its derivatives to be finite."""
+    """Return what must not vanish for U and its derivatives to be finite."""
     found = []
     for value in values:
         ring = Ring([value])

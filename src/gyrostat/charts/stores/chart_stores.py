@@ -1,6 +1,6 @@
-"""Charts larger than memory.
+"""Computes charts larger than memory in blocks of a Zarr store, and continues them after an interruption.
 
-Blocks of a Zarr store, computed side by side, continued after an interruption.
+The blocks are computed side by side, on threads or on the workers of a cluster.
 """
 import pickle
 import shutil
@@ -25,19 +25,19 @@ from .power_cuts import Marks, summed
 from .store_frame import Frame
 
 POINTS = 2**22                                              # points of a block, an eighth of it with margins
-# seconds after which a file that was not moved into place is nobody's
+# seconds after which a file that was not moved into place belongs to no process any more
 ABANDONED = 3600
 WAVE = 1024                                                # blocks that are handed out at a time
 
 
 def filled(path: Path, request: Request, arrays: Sequence[Array], threads: int,
            progress: Told | bool | None) -> Any:
-    """The dataset of a store after its missing blocks are computed, opened lazily.
+    """Return the dataset of a store after its missing blocks are computed, opened lazily.
 
     Each block is one chunk of every variable. Its mark in the variable complete, a checksum of the chunks, is
     written when they are on the disk, and each is moved into place whole. A block whose mark does not fit is
-    computed again; what else is damaged is made again from the call. With a client of dask.distributed the
-    blocks go to its workers, which need the path; else to threads of this process.
+    computed again; what else is damaged is made again from the call. If there is a client of
+    dask.distributed, the blocks go to its workers, which need the path; else to threads of this process.
 
     Raises
     ------
@@ -71,7 +71,7 @@ def filled(path: Path, request: Request, arrays: Sequence[Array], threads: int,
 def _tidy(path: Path) -> None:
     """Remove what processes that were killed left, beside a store and in it.
 
-    What is younger than an hour may be in use.
+    What is younger than an hour may be in use, and stays.
     """
     for left in (*path.parent.glob(f"{escape(path.name)}.*.new"), *path.rglob("*.partial")):
         with suppress(OSError):
@@ -82,7 +82,7 @@ def _tidy(path: Path) -> None:
 def _run(marks: Marks, request: Request, arrays: Sequence[Array], missing: Sequence[int], threads: int,
          tick: Callable[[], object]) -> None:
     """Write every missing block, on the workers of a cluster if there is a client of one, else on threads."""
-    distributed = sys.modules.get("distributed")       # where it is not loaded there is no client
+    distributed = sys.modules.get("distributed")       # if it is not loaded, there is no client
     try:
         client = distributed.default_client() if distributed else None
     except ValueError:
@@ -125,9 +125,9 @@ def write_pickled(problem: bytes, number: int) -> None:
 
 @lru_cache(maxsize=4)
 def _unpickled(problem: bytes) -> tuple[Marks, Request, list[Array]]:
-    """What a worker derives of a report it derives once.
+    """Return marks, request and axes of a problem; a worker derives its report once.
 
-    The axes it reads from the store, and compares with those of the call.
+    The axes are read from the store, and compared with those of the call.
     """
     import zarr
     marks, request, sums = pickle.loads(problem)

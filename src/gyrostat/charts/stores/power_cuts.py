@@ -14,7 +14,7 @@ from uuid import uuid4
 
 import numpy as np
 
-# of a store: what it is of, and the sums of all files but chunks and marks
+# the file that says which chart a store has, with the sums of all files but chunks and marks
 DESCRIPTION = "complete/zarr.json"
 # stands for the sum of a description while it is taken
 UNSUMMED = "0" * 64
@@ -24,19 +24,19 @@ UNSUMMED = "0" * 64
 class Marks:
     """The marks of the blocks of a store, one file each: a checksum of the chunks of the block.
 
-    A mark is written after its chunks are on the disk. One that is missing, cut off or altered does not fit
-    its chunks, nor does one whose chunks are: the block is not there, and is computed again.
+    A mark is written after its chunks are on the disk. If a mark or a chunk is missing, cut off or altered,
+    they do not fit: the block counts as not there, and is computed again.
 
     Parameters
     ----------
     path : Path
-        of the store
+        the folder of the store
     names : tuple of str
         the variables of which a block is one chunk
     counts : tuple of int
         blocks along each axis
     key : bytes
-        of the chart and of the form of the variables, so that no mark is believed of another
+        a sum of the chart and of the form of its variables, so that a mark of another chart does not fit
     """
 
     path: Path
@@ -45,12 +45,12 @@ class Marks:
     key: bytes
 
     def chunks(self, number: int) -> list[Path]:
-        """The files of a block."""
+        """Return the files of a block."""
         place = [str(i) for i in np.unravel_index(number, self.counts)]
         return [self.path.joinpath(name, "c", *place) for name in self.names]
 
     def fits(self, number: int) -> bool:
-        """Whether a block is there: its mark is the checksum of its chunks."""
+        """Tell whether a block is there: its mark is the checksum of its chunks."""
         try:
             return self._mark(number).read_bytes() == self._sum(number)
         except OSError:
@@ -76,7 +76,7 @@ class Marks:
 
 
 def summed(data: bytes) -> str:
-    """The checksum of data, in hexadecimal digits."""
+    """Return the checksum of data, in hexadecimal digits."""
     return sha256(data).hexdigest()
 
 
@@ -105,15 +105,15 @@ def replace(path: Path, data: bytes) -> None:
 
 
 def files(folder: Path) -> dict[str, bytes]:
-    """All files below a folder by their path in it."""
+    """Return all files below a folder by their path in it."""
     return {path.relative_to(folder).as_posix(): path.read_bytes()
             for path in sorted(folder.rglob("*")) if path.is_file()}
 
 
 def describe(folder: Path, identity: Mapping[str, Any]) -> None:
-    """Enter into the description of a store what it is of, the sums of its files, and its own.
+    """Enter into the description of a store which chart it has, the sums of its files, and its own sum.
 
-    Before it has chunks or marks.
+    It is called before the store has chunks or marks.
     """
     sums = {name: summed(data) for name, data in files(folder).items() if name != DESCRIPTION}
     document = json.loads((folder / DESCRIPTION).read_bytes())
@@ -123,9 +123,9 @@ def describe(folder: Path, identity: Mapping[str, Any]) -> None:
 
 
 def attributes_of(path: Path) -> dict[str, Any]:
-    """The attributes of the description of a store, whether it is whole or not.
+    """Return the attributes of the description of a store, whether it is whole or not.
 
-    There are none where it cannot be read.
+    There are none if it cannot be read.
     """
     try:
         return dict(json.loads((path / DESCRIPTION).read_bytes())["attributes"])
@@ -134,7 +134,7 @@ def attributes_of(path: Path) -> dict[str, Any]:
 
 
 def vouched(path: Path) -> bool:
-    """Whether the description of a store is, byte for byte, the one that was written."""
+    """Tell whether the description of a store is, byte for byte, the one that was written."""
     own = attributes_of(path).get("sum")
     if not isinstance(own, str) or not own.isascii():
         return False
@@ -142,7 +142,7 @@ def vouched(path: Path) -> bool:
 
 
 def unharmed(path: Path) -> bool:
-    """Whether the description and all files of which it has the sums are whole."""
+    """Tell whether the description and all files of which it has the sums are whole."""
     if not vouched(path):
         return False
     sums = json.loads(attributes_of(path)["files"])

@@ -1,6 +1,6 @@
 """The frame of a store: what is not computed block by block.
 
-Moved into place whole, compared with the call, made again where it is damaged.
+It is moved into place whole, compared with the call, and made again if it is damaged.
 """
 import json
 import os
@@ -37,7 +37,7 @@ from .power_cuts import (
 
 @dataclass(frozen=True)
 class Frame:
-    """A store but for its blocks: folders, axes, attributes, and the marks of what is done.
+    """A store without its blocks: folders, axes, attributes, and the marks of what is done.
 
     Parameters
     ----------
@@ -46,7 +46,7 @@ class Frame:
     arrays : tuple of array
         the axes, outermost first
     points : int
-        of a block, at most, where a row has no more
+        the most points of a block, unless a row has more
     """
 
     path: Path
@@ -78,7 +78,7 @@ class Frame:
 
     @property
     def counts(self) -> tuple[int, ...]:
-        """Blocks along each axis."""
+        """The number of blocks along each axis."""
         return tuple(-(-len(array) // size) for array, size in zip(self.arrays, self.block))
 
     @property
@@ -89,9 +89,7 @@ class Frame:
                 *(("rung",) if self.request.windowed else ()), *(f"margin_{n}" for n in margins))
 
     def ready(self) -> Marks:
-        """The marks, after the store is made where there is none, and all that is not computed block by block
-        is whole.
-        """
+        """Return the marks, after the store is made if there is none, and its frame is made whole."""
         if not self.path.exists():
             with self._new() as new:
                 try:
@@ -107,9 +105,9 @@ class Frame:
         return self._marks(self.path)
 
     def _marks(self, form: Path) -> Marks:
-        """The marks of this store, if its variables have the form of those in a folder.
+        """Return the marks of this store, if its variables have the form of those in a folder.
 
-        Shape, chunks, codecs.
+        The form is their shape, chunks and codecs.
         """
         forms = []
         for name in self.names:
@@ -127,7 +125,7 @@ class Frame:
     def _repair(self) -> None:
         """Make again from the call what is not computed block by block.
 
-        If its description is damaged, a block must prove whose it is.
+        If its description is damaged, a block must prove which chart it belongs to.
         """
         if '"format": 1,' in str(attributes_of(self.path).get("chart")):
             raise StoreError(f"{self.path} is a store of format 1, of a gyrostat that wrote no checksums, "
@@ -146,10 +144,13 @@ class Frame:
 
     @contextmanager
     def _new(self) -> Iterator[Path]:
-        """A store without blocks beside the path, on the disk; removed if it is not moved into place."""
+        """Yield a store without blocks beside the path, on the disk.
+
+        It is removed if it is not moved into place.
+        """
         import zarr
         from zarr.codecs import Crc32cCodec, ZstdCodec
-        checked = [ZstdCodec(), Crc32cCodec()]         # whoever reads it is told of a chunk that is damaged
+        checked = [ZstdCodec(), Crc32cCodec()]         # with a checksum, so that a damaged chunk is not read
         new = self.path.with_name(f"{self.path.name}.{uuid4().hex}.new")
         dataset = described(self.request, self.arrays, {})
         try:

@@ -155,7 +155,8 @@ def amended_potential(scene: System) -> AmendedPotential:
 
     References
     ----------
-    Simo, Lewis & Marsden, Arch. Rational Mech. Anal. 115 (1991) 15-59.
+    Simo, Lewis & Marsden, Arch. Rational Mech. Anal. 115 (1991) 15-59; derived in
+    docs/explanation/derivations/amended-potential.md, sections 1 to 5.
 
     Examples
     --------

@@ -46,7 +46,8 @@ class ConeCurve(Stored):
     """Permanent rotations without a rotor: k = n/abs(n) and omega² = abs(n) along a parameter.
 
     With ∇U = omega² Ik + sigma k and tau = sigma/omega², n_i = c_i/(tau + I_i): the parameter is tau. If c_i
-    = 0, k has any component along axis i at tau = −I_i: the parameter is rho, n_i.
+    = 0, k has any component along axis i at tau = −I_i: the parameter is rho, n_i. Derived in
+    docs/explanation/derivations/amended-potential.md, section 7.
 
     Parameters
     ----------

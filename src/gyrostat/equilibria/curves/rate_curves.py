@@ -33,7 +33,8 @@ class RateCurve(Stored):
     """The permanent rotations of every rate, as a plane curve over omega.
 
     With ∇U = omega² Ik + omega l + sigma k and b = c − omega l, k_i = b_i/(sigma + omega² I_i). If b_i is 0
-    at every omega, k_i = 0, or sigma = −omega² I_i and k_i is what abs(k) = 1 leaves.
+    at every omega, k_i = 0, or sigma = −omega² I_i and k_i is what abs(k) = 1 leaves. Derived in
+    docs/explanation/derivations/amended-potential.md, section 7.
 
     Parameters
     ----------

@@ -158,7 +158,8 @@ def staude_cone(scene: System) -> StaudeCone:
 
     References
     ----------
-    Staude, J. reine angew. Math. 113 (1894) 318-334; Kharlamov (1965), for gyrostats; else derived.
+    Staude, J. reine angew. Math. 113 (1894) 318-334; Kharlamov (1965), for gyrostats; derived in
+    docs/explanation/derivations/amended-potential.md, section 7.
 
     Examples
     --------

@@ -41,6 +41,8 @@ class Data(NamedTuple):
 class HeavyForm(Form):
     """A permanent rotation ω = omega k, k fixed in body and space: the amended potential across k.
 
+    What decides is in docs/explanation/derivations/amended-potential.md, section 5.
+
     Parameters
     ----------
     scene : System

@@ -52,7 +52,8 @@ def permanent_rotation(scene: System, direction: Sequence[Any] | None = None) ->
 
     References
     ----------
-    Staude, J. reine angew. Math. 113 (1894) 318-334; with a rotor: Derived.
+    Staude, J. reine angew. Math. 113 (1894) 318-334; with a rotor derived in
+    docs/explanation/derivations/amended-potential.md, section 2.
 
     Examples
     --------

@@ -56,8 +56,9 @@ def amended_form(inertia: Rows, rotor: Sequence[Any], gradient: Sequence[Any], h
 
     References
     ----------
-    Derived by Routh's reduction: Simo, Lewis & Marsden, Arch. Rational Mech. Anal. 115 (1991) 15-59; Lewis,
-    Ratiu, Simo & Marsden, in The Geometry of Hamiltonian Systems (1992).
+    Derived by Routh's reduction in docs/explanation/derivations/amended-potential.md, sections 3 and 4;
+    Simo, Lewis & Marsden, Arch. Rational Mech. Anal. 115 (1991) 15-59; Lewis, Ratiu, Simo & Marsden, in The
+    Geometry of Hamiltonian Systems (1992).
 
     Examples
     --------

@@ -65,7 +65,10 @@ class ClosedForm:
 
     @cached_property
     def definitions(self) -> tuple[Relation, ...]:
-        """Each name with its definition, by names of the family and those before it."""
+        """Each name with its definition, by names of the family and those before it.
+
+        Derived in docs/explanation/derivations/amended-potential.md, sections 3 and 4.
+        """
         inertia, rotor, hessian, k, omega, mu = self._data
         along = [dot(row, k) for row in inertia]
         v = [2 * omega * a + l for a, l in zip(along, rotor)]
