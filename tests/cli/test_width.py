@@ -1,9 +1,14 @@
 """Documents in the width of the terminal."""
+import json
+
 import pytest
 from commands import run
+from scene_kinds import CASES
 
+from gyrostat.charts import progress
 from gyrostat.cli import output
-from gyrostat.cli.output import Output
+from gyrostat.cli.output import Output, columns, told
+from gyrostat.cli.parser import main
 
 SCENE = ["--potential", "m0*k3", "--equilibrium", "E1"]
 
@@ -66,3 +71,58 @@ def test_findings_fit_the_terminal(capsys, terminal):
     terminal(60)
     _, out, _ = run(capsys, "literature", verb="verify")
     assert max(map(len, out.splitlines()[:-1])) <= 60
+
+
+ASKED = [["report"], ["conditions"], ["decide", "--full"], ["motion", "--until", "1", "--count", "3"],
+         ["plot", "staude-cone", "--output", "cone.png"],
+         ["chart", "--x", "nothing=0:1:3", "--y", "l=0:1:3", "--output", "none.png"]]
+
+
+@pytest.mark.few(3)
+@pytest.mark.parametrize("asked", ASKED, ids=" ".join)
+@pytest.mark.parametrize("case", [name for name, case in CASES.items() if case.table is not None])
+def test_no_line_is_wider_than_80_columns(capsys, monkeypatch, tmp_path, case, asked):
+    """Of what a verb says of any kind of scene, its messages too; the rows of a table of numbers are data."""
+    def written(value):
+        if isinstance(value, dict):
+            return "{ " + ", ".join(f"{name} = {written(x)}" for name, x in value.items()) + " }"
+        return json.dumps(value)
+
+    monkeypatch.setenv("COLUMNS", "80")
+    monkeypatch.chdir(tmp_path)
+    path = tmp_path / "scenes.toml"
+    table = CASES[case].table | {"values": CASES[case].values}
+    path.write_text("[scene.one]\n" + "\n".join(f"{name} = {written(x)}" for name, x in table.items()))
+    main([*asked, "--scene", str(path)])
+    out, err = capsys.readouterr()
+    lines = (err if asked[0] == "motion" else out + err).splitlines()
+    assert max(map(len, lines), default=0) <= 80
+
+
+def test_messages_are_lines_of_a_log_unless_a_terminal_shows_them(capsys, monkeypatch):
+    """One line in a file; in a terminal, or where COLUMNS is set, as wide as that, with the same words."""
+    message = "this is what is wrong " * 9 + "and this is what to do"
+    told(message)
+    line = capsys.readouterr().err
+    assert line == f"gyrostat: {message}\n"
+    monkeypatch.setattr(progress, "on_terminal", lambda: True)
+    monkeypatch.setenv("COLUMNS", "76")
+    told(message)
+    lines = capsys.readouterr().err.splitlines()
+    assert max(map(len, lines)) <= 76 and " ".join(" ".join(lines).split()) == line.strip()
+    with pytest.raises(SystemExit):
+        main(["decide", "--equilibrium", "E9"])
+    lines = capsys.readouterr().err.splitlines()
+    assert max(map(len, lines)) <= 76 and "gyrostat decide: error: argument --equilibrium" in "\n".join(lines)
+
+
+def test_help_and_documents_have_one_width(capsys, monkeypatch):
+    """100 in a pipe, and COLUMNS."""
+    def widest():
+        with pytest.raises(SystemExit):
+            main(["decide", "--help"])
+        return max(map(len, capsys.readouterr().out.splitlines()))
+
+    assert columns() == Output(None).width == 100 and 90 < widest() <= 100
+    monkeypatch.setenv("COLUMNS", "80")
+    assert columns() == Output(None).width == 80 and 70 < widest() <= 80

@@ -1,9 +1,12 @@
 """The command line's grammar, which says of an option or a verb that it does not know which one was meant."""
 import argparse
 import re
+import sys
 from collections.abc import Iterator
 from difflib import get_close_matches
 from typing import NoReturn
+
+from .output import fitted
 
 _UNKNOWN = re.compile(r"unrecognized arguments: ([^\s=]+)|invalid choice: '([^']*)'")
 
@@ -17,7 +20,8 @@ class Parser(argparse.ArgumentParser):
         word = (unknown[1] or unknown[2]) if unknown else ""
         alike = [known for known in _words(self) if known.startswith("-") == word.startswith("-")]
         near = "".join(f"; did you mean {known}?" for known in get_close_matches(word, alike, 1))
-        super().error(message + near)
+        self.print_usage(sys.stderr)
+        self.exit(2, fitted(f"{self.prog}: error: {message}{near}", "  ") + "\n")
 
 
 def _words(parser: argparse.ArgumentParser) -> Iterator[str]:

@@ -1,9 +1,10 @@
 """The words of the help: what each verb does, its examples, and both in the width of the terminal."""
 import argparse
 import re
-import shutil
 from pkgutil import get_data
 from textwrap import wrap
+
+from .output import columns
 
 WIDEST = 100                                           # columns of a text that is read
 PROGRAM = ("Stability of a gyrostat, free, in a field or in a circular orbit: from the Lie-Poisson bracket "
@@ -98,7 +99,7 @@ class Formatter(argparse.HelpFormatter):
     """Sentences and examples in the width of the terminal, and no wider than a text is read."""
 
     def __init__(self, prog: str, width: int | None = None):
-        super().__init__(prog, width=width or min(shutil.get_terminal_size().columns, WIDEST) - 2)
+        super().__init__(prog, width=width or min(columns(), WIDEST))
 
     def _format_args(self, action: argparse.Action, default_metavar: str) -> str:
         if action.nargs == "+":                        # NAME=VALUE [NAME=VALUE ...] is wider and says no more

@@ -8,6 +8,7 @@ from contextlib import ExitStack, contextmanager, suppress
 from importlib.resources import as_file, files
 from io import TextIOWrapper
 from pathlib import Path
+from textwrap import wrap
 from types import MappingProxyType
 from typing import Any, TextIO
 
@@ -22,6 +23,7 @@ EXTRAS = {**dict.fromkeys((*PICTURES, *FILMS), {"matplotlib": "plot"}),
 
 
 NARROWEST, WIDTH = 60, 100                             # columns of a text; of one that goes to no terminal
+BESIDE = 12                                            # columns of the names beside facts
 
 
 class Output:
@@ -50,15 +52,38 @@ class Output:
 
     @property
     def width(self) -> int:
-        """The columns of a text: 100 in a file; COLUMNS if set; those of the terminal; 100 in a pipe."""
-        if self.path is not None or not (on_terminal() or os.environ.get("COLUMNS")):
-            return WIDTH
-        return max(NARROWEST, shutil.get_terminal_size().columns)
+        """The columns of a text: 100 in a file, otherwise those of standard output."""
+        return columns() if self.path is None else WIDTH
 
     def noted(self, note: str) -> None:
-        """What is unusual, if anything, to standard error: a picture has no place for it."""
+        """Write what is unusual, if anything, to standard error: a picture has no place for it."""
         if note:
-            print(f"{'note':<12}{note}", file=sys.stderr)
+            print(fact("note", note), file=sys.stderr)
+
+
+def columns() -> int:
+    """The columns of whatever is printed: COLUMNS if it is set, those of the terminal, or 100 in a pipe."""
+    return _shown_on(on_terminal()) or WIDTH
+
+
+def _shown_on(terminal: bool) -> int:
+    """The columns of a terminal, or COLUMNS if it is set; 0 for a pipe without COLUMNS."""
+    if not (terminal or os.environ.get("COLUMNS")):
+        return 0
+    return max(NARROWEST, shutil.get_terminal_size().columns)
+
+
+def fact(name: str, text: str) -> str:
+    """A line of standard error, the text beside its name."""
+    return fitted(f"{name:<{BESIDE}}{text}", " " * BESIDE)
+
+
+def fitted(line: str, indent: str) -> str:
+    """The line in the columns of a terminal; in a file it stays one line, as a record of a log."""
+    if not (width := _shown_on(progress.on_terminal())):
+        return line
+    return "\n".join(wrap(line, width, subsequent_indent=indent, break_long_words=False,
+                          break_on_hyphens=False))
 
 
 @contextmanager
@@ -112,12 +137,12 @@ def internal(error: BaseException, most: int) -> str:
 
 
 def told(text: str) -> None:
-    """A line on standard error, if there is one that can be written, without what a terminal would obey."""
+    """Write a line to standard error, if that can be written, without what a terminal would obey."""
     text = "".join(c if c.isprintable() else ascii(c)[1:-1] for c in " ".join(text.split()))
     progress.taken()
     if sys.stderr is not None:
         with suppress(OSError, ValueError):
-            print(f"gyrostat: {text}", file=sys.stderr, flush=True)
+            print(fitted(f"gyrostat: {text}", "  "), file=sys.stderr, flush=True)
 
 
 def silenced() -> None:

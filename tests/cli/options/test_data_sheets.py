@@ -16,7 +16,6 @@ TEXT = PAGE.read_text(encoding="utf-8") if PAGE.exists() else ""
 FILES = dict(re.findall(r"```toml\n# (\S+)\n(.*?)```", TEXT, re.DOTALL))     # by the names on top of them
 COMMANDS = [line for block in re.findall(r"```sh\n(.*?)```", TEXT, re.DOTALL)
             for line in block.replace("\\\n", "").splitlines()]
-SHOWN = re.findall(r"```sh\n([^\n]*)\n```\n\n```text\n(.*?)```", TEXT, re.DOTALL)     # with their outputs
 SATELLITE = """
 [scene.satellite]
 inertia = [["120 kg m^2", "2 kg m^2", 0], ["2 kg m^2", "110 kg m^2", 0], [0, 0, "80 kg m^2"]]
@@ -37,18 +36,6 @@ def test_a_command_of_the_page(capsys, tmp_path, monkeypatch, command):
     program, verb, *arguments = shlex.split(command)
     status, out, _ = run(capsys, *arguments, verb=verb)
     assert program == "gyrostat" and status == 0 and out
-
-
-@pytest.mark.skipif(not PAGE.exists(), reason="the page is not part of an installed copy")
-@pytest.mark.parametrize(("command", "output"), SHOWN)
-def test_an_output_of_the_page_is_what_is_printed(capsys, tmp_path, monkeypatch, command, output):
-    """In a terminal of 76 columns."""
-    monkeypatch.setenv("COLUMNS", "76")
-    monkeypatch.chdir(tmp_path)
-    for name, content in FILES.items():
-        Path(name).write_text(content)
-    _, verb, *arguments = shlex.split(command)
-    assert run(capsys, *arguments, verb=verb)[1].rstrip() == output.rstrip()
 
 
 def decided(capsys, *arguments):

@@ -26,7 +26,7 @@ from ...trajectories import Motion
 from ...trajectories.columns import columns, dataset, turns_of
 from ..options.motion_options import motion_of, times_of
 from ..options.scene_files import with_scene
-from ..output import FILMS, PICTURES, Output, file_of, printed_look, save_picture
+from ..output import FILMS, PICTURES, Output, fact, file_of, printed_look, save_picture
 
 KINDS = ("a table, motion.csv; data, motion.nc; a picture, motion.png, .pdf or .svg; "
          "an animation, motion.gif or .mp4")
@@ -198,4 +198,4 @@ def _summary(moving: Motion, drift: dict[str, float], digits: int | None) -> str
         worst = max(drift, key=lambda name: drift[name])
         facts["drift"] = f"{drift[worst]:.1e}, of {worst}, the largest"
     facts["note"] = moving.note or None
-    return "".join(f"{name:<12}{fact}\n" for name, fact in facts.items() if fact is not None)
+    return "".join(f"{fact(name, str(known))}\n" for name, known in facts.items() if known is not None)

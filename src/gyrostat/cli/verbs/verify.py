@@ -1,5 +1,6 @@
 """gyrostat verify: published formulas checked against what the library derives."""
 import argparse
+from textwrap import wrap
 
 from ...charts.progress import Progress
 from ...errors import GyrostatError
@@ -33,5 +34,6 @@ def run(given: argparse.Namespace, out: Output) -> int:
     elif given.format == "latex":
         out(errata.latex(findings, paper_of(given)))
     else:
-        out(listing.text(findings, out.width, given.full) + listing.summary(findings) + "\n")
+        out(listing.text(findings, out.width, given.full))
+        out("\n".join(wrap(listing.summary(findings), out.width)) + "\n")
     return int(any(f.status != f.expected for f in findings))

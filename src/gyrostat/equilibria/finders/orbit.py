@@ -27,7 +27,7 @@ def orbit_forms(scene: System, values: Mapping[str, Any]) -> list[OrbitalForm]:
     n and r are unit vectors at right angles with t·Ir = 0, t·(ω0 In + l) = 0 and r·(4 ω0 In + l) = 0. If l is
     along a principal axis they are in closed form. Else, with c = r × Ir and r·l ≠ 0, r lies on a cubic and a
     quartic, and n = (Ir − (r·Ir) r)/b, b = −r·l/(4 ω0); with r·l = 0 it is along a principal axis, and n
-    turns about it.
+    turns about it. Derived in docs/explanation/derivations/satellite.md, section 7.
     """
     if not by_gradient_alone(scene):
         raise ScopeError("another field acts beside the gravity gradient, or a rotor is free, for which no "

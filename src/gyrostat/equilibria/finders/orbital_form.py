@@ -144,7 +144,8 @@ def invariants(tensor: Sequence[Sequence[Any]], rotor: Sequence[Any], n: Sequenc
     g = (−ω0 I_tn, ω0 (I_tt + I_rr − I_nn) − l_n, 2ω0 I_nr).
 
     The sextic is det(λ² I + λ hat(g) + K). Since det(A + hat(v)) = det A + v·A v for a symmetric A, its
-    coefficients of λ⁶, λ⁴, λ² and 1 are det I, tr(adj(I) K) + g·Ig, tr(adj(K) I) + g·Kg and det K.
+    coefficients of λ⁶, λ⁴, λ² and 1 are det I, tr(adj(I) K) + g·Ig, tr(adj(K) I) + g·Kg and det K. Derived in
+    docs/explanation/derivations/satellite.md, sections 4 and 5.
 
     Parameters
     ----------

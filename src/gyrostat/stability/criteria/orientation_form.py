@@ -66,6 +66,11 @@ def orientation_form(eq: Equilibrium) -> OrientationForm:
     Returns
     -------
     OrientationForm
+
+    References
+    ----------
+    Derived in docs/explanation/derivations/satellite.md, sections 1 to 4; Simo, Lewis & Marsden, Arch.
+    Rational Mech. Anal. 115 (1991) 15-59, for the amended potential V.
     """
     potential, body = eq.system.potential, eq.system.body
     assert isinstance(potential, CoupledPotential)

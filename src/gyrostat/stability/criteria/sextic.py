@@ -46,7 +46,8 @@ def items_of_monic(monic: list[Fraction], signs: Signs) -> list[Item]:
     """Return what has to be ≥ 0 for all roots of a monic polynomial to be real and ≤ 0.
 
     It is x + q, x² + p x + q, or x³ + a x² + b x + c over one denominator: real roots are ≤ 0 iff no
-    coefficient is negative, and the three roots of a cubic are real iff its discriminant Δ ≥ 0.
+    coefficient is negative, and the three roots of a cubic are real iff its discriminant Δ ≥ 0 (see
+    docs/explanation/derivations/satellite.md, section 4).
     """
     names = {1: "q", 2: "pq", 3: "abc"}[len(monic)]
     items = [Item(*signs.split(*c), False, name) for c, name in zip(monic, names)]
