@@ -42,7 +42,7 @@ nb_render_markdown_format = "myst"                     # sentences that code wri
 myst_enable_extensions = ["amsmath", "colon_fence", "dollarmath", "html_image"]
 myst_dmath_double_inline = True                        # $$ within a paragraph, as notebooks have it
 myst_heading_anchors = 4
-mathjax3_config = {"chtml": {"scale": 0.9}}           # of letters as high as those of the text: they look larger
+mathjax3_config = {"chtml": {"scale": 0.9}}           # else they look larger than the text
 
 html_theme = "pydata_sphinx_theme"
 html_title = f"gyrostat {release}"

@@ -17,6 +17,7 @@ from ...stability.criteria.orientation_form import rests_in_frame
 from ...stability.report.report import Report
 from ...typesetting import typeset
 from ..blocks import Block, Display, Heading, Word, equations, joined, listed, sentence
+from ..glossary import term_blocks
 from ..letters import letter, letters_of, word
 from ..nomenclature import occurring, symbol_rows
 from .boundary import boundary_blocks
@@ -30,9 +31,10 @@ LONG = 80
 
 
 def whole_blocks(scene: System, found: Sequence[Block]) -> list[Block]:
-    """A scene, what its symbols are, and what is found of it."""
+    """A scene, what its symbols are, what is found of it, and what the terms mean that it uses."""
     blocks = scene_blocks(scene)
-    return [*blocks, symbol_rows(scene, occurring([*blocks, *found])), *found]
+    return [*blocks, symbol_rows(scene, occurring([*blocks, *found])), *found,
+            *term_blocks([*blocks, *found])]
 
 
 def conditions_blocks(report: Report) -> list[Block]:

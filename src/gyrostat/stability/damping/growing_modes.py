@@ -55,7 +55,7 @@ def growing_at(eq: Equilibrium, numbers: Point) -> Growing:
     References
     ----------
     Derived from Kelvin & Tait, Treatise on Natural Philosophy (1879), §345, and Chetaev, The Stability of
-    Motion (1961): the part that is reached is a system by itself.
+    Motion (1961), in docs/explanation/derivations/damping.md, section 6.
     """
     try:
         tangent, Q, J, rate = (m.applyfunc(lambda x: evaluate(x, numbers)) for m in _matrices(eq))

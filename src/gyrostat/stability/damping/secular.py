@@ -56,7 +56,8 @@ class Secular:
     References
     ----------
     Chetaev, The Stability of Motion (1961); Zajac, J. Astronaut. Sci. 11 (1964) 46-49; Bloch, Krishnaprasad,
-    Marsden & Ratiu, Ann. Inst. H. Poincaré Anal. Non Linéaire 11 (1994) 37-90.
+    Marsden & Ratiu, Ann. Inst. H. Poincaré Anal. Non Linéaire 11 (1994) 37-90; with a proof in
+    docs/explanation/derivations/damping.md, sections 2 and 5.
     """
 
     equilibrium: Equilibrium
