@@ -139,7 +139,7 @@ def confirm(report: Report, values: Mapping[str, Any], sizes: Sequence[Any] = SI
 
     References
     ----------
-    The exponents on a boundary: docs/explanation/stability.md.
+    The exponents on a boundary: docs/explanation/derivations/boundaries.md, section 5.
 
     Examples
     --------

@@ -67,8 +67,9 @@ class Boundary(Shown, Stored):
 
     References
     ----------
-    Derived. The first rung at E1: Lerman, arXiv:dg-ga/9608010; the sleeping top: Cushman & Bates, Global
-    Aspects of Classical Integrable Systems, chapter V.
+    Derived in docs/explanation/derivations/boundaries.md, sections 2 to 4. The first rung at E1: Lerman,
+    arXiv:dg-ga/9608010; the sleeping top: Cushman & Bates, Global Aspects of Classical Integrable Systems,
+    chapter V.
     """
 
     equilibrium: Equilibrium

@@ -111,7 +111,8 @@ class MomentumSphere:
 
     References
     ----------
-    Derived; the quadratic part, Hughes, Spacecraft Attitude Dynamics (1986), chapter 6.
+    Derived in docs/explanation/derivations/boundaries.md, section 6; the quadratic part, Hughes, Spacecraft
+    Attitude Dynamics (1986), chapter 6.
     """
 
     equilibrium: Equilibrium
