@@ -65,7 +65,7 @@ class Ladder(Derived):
         found = self.decide(numbers, margins)
         if not found.modulo or not found.stable:
             return replace(found, modulo=())
-        margins.clear()
+        margins.clear()                                    # they proved the decision modulo a flow
         known = self.recognised or seen_at(self.equilibrium, numbers)
         if known:
             drift = loaded(f"{THEOREMS}.drift:Drift")(known.equilibrium).decide(numbers, margins)

@@ -30,7 +30,7 @@ class SecularInFrame(Secular):
 
     References
     ----------
-    As Secular; the exceptions are derived.
+    As Secular; the exceptions are derived in docs/explanation/derivations/damping.md, section 5.
     """
 
     @cached_property
