@@ -139,12 +139,9 @@ def check(seed):
     marks = {}
     for line in ax.lines:
         if line.get_marker() != "None":
-            places = list(map(tuple, line.get_xydata()))
-            label = next((t for t, h in handles.items() if h.get_marker() == line.get_marker()
-                          and h.get_linestyle() == "None"), None) or next(
-                text.get_text() for text in ax.texts if text.xy in places
-                and SHAPES.get(text.get_text()) == line.get_marker())
-            marks.setdefault(label, []).extend(places)
+            label = next(t for t in (*handles, *(text.get_text() for text in ax.texts))
+                         if (handles[t].get_marker() if t in handles else SHAPES.get(t)) == line.get_marker())
+            marks.setdefault(label, []).extend(map(tuple, line.get_xydata()))
     curves = [line for line in ax.lines if line.get_marker() == "None"]
     poles = {s: [c for c in curves if (c.get_ydata() == s).all()] for s in (1, -1)}
     tilted = [c for c in curves if not any(c is p for side in poles.values() for p in side)]
