@@ -83,7 +83,7 @@ class Step:
     ----------
     name : str
     source : str
-        where the criterion or theorem is published, or that it is derived
+        where the criterion or theorem is published, that it is derived, or that nothing is guessed
     applies, decides : callable
         take a Standing, and say whether it is decided here, and how; a theorem's module is loaded then
     """
