@@ -44,7 +44,7 @@ class Form(Stored):
 
     References
     ----------
-    Chetaev, The Stability of Motion (1961), §§26-30; Descartes' rule, exact where all roots are real.
+    Chetaev, The Stability of Motion (1961), §§26-30; Descartes' rule, which is exact if all roots are real.
     """
 
     LEAST: ClassVar[Decision]                              # if the second variation is definite

@@ -76,6 +76,7 @@ def dyadic_signs(program: Program, leaves: Mapping[Expr, Array], most: Array) ->
     exact = {leaf: dyadics(x) for leaf, x in leaves.items()}
     last = _run(program, exact, np.uint64)
     signs = np.broadcast_to(np.sign(last.whole.view(np.int64)), most.shape).astype(np.int8)
+    # a whole number below 2⁶² is its residue, read as a signed word
     with np.errstate(over="ignore"):
         found, short = (most < np.ldexp(1.0, last.power + bits) for bits in (WORD - 2, LONGEST))
     left = np.flatnonzero(short & ~found)

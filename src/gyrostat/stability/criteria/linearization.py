@@ -35,6 +35,10 @@ class Linearization(Shown, Stored):
     matrix : ImmutableMatrix, shape (d, d)
         J on T in that basis [1/T]
 
+    References
+    ----------
+    Vera & Viguera (2003), §4.1.1 and §5.
+
     Examples
     --------
     >>> import gyrostat as gs
