@@ -196,7 +196,7 @@ def save_picture(figure: Any, path: Path, kind: str | None = None, dpi: int = DP
 
 def picture_options(verb: argparse.ArgumentParser) -> None:
     """Add the options of a file with a picture."""
-    verb.add_argument("--output", metavar="FILE", help="the file: .png, .jpg, .svg or .pdf")
+    verb.add_argument("--output", metavar="FILE", help="write to a .png, .jpg, .svg or .pdf")
     verb.add_argument("--format", choices=FORMATS,
                       help="the kind of the file; default: that of its name")
     verb.add_argument("--width", type=_inches, default=WIDTH_IN, metavar="WIDTH",
