@@ -15,7 +15,7 @@ from ..mechanics.scenes.potential import DIRECTIONS
 from ..mechanics.scenes.system import System
 from ..stability.decision import Verdict
 from .captions import BEHIND, headed
-from .globe import across, circle, curves_of, dots_of, stage
+from .globe import across, circle, curves_of, dots_of, numbers_on, stage
 from .headings import of_scene
 from .looks import BLUE, DARK, axes_of, label, line, marker
 from .scene_numbers import numbers_of
@@ -32,9 +32,11 @@ def draw_amended_potential(scene: System, values: Mapping[str, Any] | None = Non
                            **kwargs: Any) -> Any:
     """Draw U + (C1 − l·k)²/(2 k·Ik) on the sphere abs(k) = 1, seen as ax.view_init says.
 
-    Along a level curve the amended potential is constant; those through saddles are heavy. Marked are its
-    critical points, the permanent rotations on that level of C1: triangles down at minima, up at maxima,
-    diamonds at saddles; filled: stable; open: unstable; half filled: undecided. What is behind is faded.
+    Along a level curve the amended potential is constant, and the curves through saddles are heavy. Marks are
+    its critical points, the permanent rotations on that level of C1: triangles point down at minima and up at
+    maxima, and diamonds are saddles. A filled mark is stable, an open one unstable, a half-filled one
+    undecided. Its number is that in the list of relative_equilibria at C1, and in the table of gyrostat
+    decide. What is behind is faded.
 
     Parameters
     ----------
@@ -87,6 +89,7 @@ def draw_amended_potential(scene: System, values: Mapping[str, Any] | None = Non
     saddles = [point for point in points if point.kind == "saddle" and not point.rotation.locus]
     through = _separatrices(potential, np.array([_place(point) for point in saddles]))
     handles += curves_of(ax, through, heavy, "through a saddle", eye)
+    numbers_on(ax, [(n, _place(point)) for n, point in enumerate(points, 1)], eye)
     headed(ax, "Amended potential on the sphere of directions", of_scene(scene, values or {}),
            [*handles, *_marked(ax, points, eye)], after=BEHIND)
     return ax

@@ -22,7 +22,7 @@ from .captions import headed
 from .globe import dots_of
 from .headings import of_scene
 from .legends import named, room
-from .looks import DARK, axes_of, axis, line, marker
+from .looks import DARK, MARKER, axes_of, axis, line, marker
 from .scene_numbers import numbers_of
 
 CELLS = 400                                                # of each axis, for the regions
@@ -145,7 +145,7 @@ def draw_energy_momentum(scene: System, values: Mapping[str, Any],
            [*verdicts, *_areas(int(count.max()))], 2, marks,
            "The curves are regular precessions, and the points are E1 and E2")
     room(ax)
-    written_at(ax, [("; ".join(several), place) for place, several in names.items()], 6.5)
+    written_at(ax, [("; ".join(several), place) for place, several in names.items()], MARKER)
     return ax
 
 
