@@ -43,12 +43,12 @@ def test_the_report_of_a_sleeping_top_loads_no_theorem_that_it_does_not_need():
     assert not any(m.startswith("gyrostat.stability.normal_forms") for m in new)
 
 
-def test_gyrostat_report_loads_at_most_115_modules():
+def test_gyrostat_report_loads_at_most_116_modules():
     """Packages not counted."""
     new = loaded("import contextlib, io; from gyrostat.cli.parser import main\n"
                  "with contextlib.redirect_stdout(io.StringIO()): main(['report'])")
     ours = {m for m in new if SRC.parent.joinpath(*m.split(".")).with_suffix(".py").is_file()}
-    assert "gyrostat.cli.verbs.report" in ours and len(ours) <= 115
+    assert "gyrostat.cli.verbs.report" in ours and len(ours) <= 116
 
 
 @pytest.mark.parametrize("asked", [

@@ -1,7 +1,7 @@
 """Everything that is derived, as Unicode, LaTeX and JSON.
 
-What is found becomes `blocks`: headings, sentences and displayed formulas (`results`). Their terms, factors
-and sides stand in one `order`, their `numbers` in one form, in `letters` that the scene leaves free, and
-`nomenclature` lists what they mean. `formats` writes blocks for a terminal, as LaTeX or as JSON. `files` are
-whole or not there.
+What is found becomes `blocks`: headings, sentences and displayed formulas (`results`). One `order` is kept
+for terms, factors and sides, one form for `numbers`, and the `letters` are those that the scene leaves free.
+`nomenclature` lists what the symbols mean, `glossary` what the terms mean. `formats` writes blocks for a
+terminal, as LaTeX or as JSON. `files` are written whole or not at all.
 """

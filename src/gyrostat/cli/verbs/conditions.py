@@ -12,6 +12,7 @@ from ...printing.formats.article import article
 from ...printing.formats.json_data import json_text
 from ...printing.formats.tables import conditions_table
 from ...printing.formats.text import text
+from ...printing.glossary import term_blocks
 from ...printing.nomenclature import occurring, symbol_rows
 from ...printing.results.beyond_reports import result_blocks
 from ...printing.results.document import conditions_blocks
@@ -60,7 +61,7 @@ def run(given: argparse.Namespace, out: Output) -> int:
     else:
         blocks = [block for report in found.reports for block in conditions_blocks(report)]
         symbols = symbol_rows(found.reports[0].equilibrium.system, occurring(blocks))
-        out(text([*blocks, *after, symbols], out.width))
+        out(text([*blocks, *after, symbols, *term_blocks([*blocks, *after])], out.width))
     return 0
 
 

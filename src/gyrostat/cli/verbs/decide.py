@@ -5,6 +5,7 @@ from ...notation import symbol
 from ...printing.blocks import Block, Display, Heading, Word, prose, sentence
 from ...printing.formats.json_data import form_data, json_text, window_data
 from ...printing.formats.text import number_text, text
+from ...printing.glossary import term_blocks
 from ...printing.results.decision import damped_block, decision_blocks, note_blocks, reason_block
 from ...printing.results.normal_form import form_blocks, window_blocks
 from ...questions.answers.answer_list import answers_data, note_once
@@ -55,12 +56,12 @@ def run(given: argparse.Namespace, out: Output) -> int:
     if len(found) < 2 or given.equilibrium is not None:
         blocks = [block for a in found for block in _blocks(a, a.label, units)]
         out(text([*blocks, *without, *([] if blocks or without else [sentence(_NOWHERE)]),
-                  *note_blocks(note)], out.width))
+                  *note_blocks(note), *(term_blocks(blocks) if given.full else [])], out.width))
         return 0
     details = [block for n, a in enumerate(found, 1) for block in _blocks(a, f"{n}  {a.label}", units)]
     out(answer_table(found, units, out.width) + "\n")
     out(text([prose(legend(found)), *([] if given.full else [sentence("Details: --full")]), *without,
-              *note_blocks(note), *(details if given.full else [])], out.width))
+              *note_blocks(note), *([*details, *term_blocks(details)] if given.full else [])], out.width))
     return 0
 
 

@@ -50,7 +50,8 @@ def energy_sink_criterion(eq: Equilibrium, rotor: Rotor, *, platform_damping: An
 
     References
     ----------
-    Landon & Stewart, J. Spacecraft 1 (1964); Likins, J. Spacecraft 4 (1967).
+    Landon & Stewart, J. Spacecraft 1 (1964); Likins, J. Spacecraft 4 (1967); derived in
+    docs/explanation/derivations/damping.md, section 7.
 
     Examples
     --------

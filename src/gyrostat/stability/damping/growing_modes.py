@@ -55,7 +55,7 @@ def growing_at(eq: Equilibrium, numbers: Point) -> Growing:
     References
     ----------
     Derived from Kelvin & Tait, Treatise on Natural Philosophy (1879), §345, and Chetaev, The Stability of
-    Motion (1961): the part that is reached is a system by itself.
+    Motion (1961), in docs/explanation/derivations/damping.md, section 6.
     """
     try:
         tangent, Q, J, rate = (m.applyfunc(lambda x: evaluate(x, numbers)) for m in _matrices(eq))
@@ -90,6 +90,7 @@ def _counted(Q: Matrix, J: Matrix, rate: Matrix) -> Growing:
     negative, kept = negative_squares(beyond), negative_squares(on)
     if negative:
         return Growing(True, negative if splits and kept in (0, rank(on)) else None)
+    # undamped on N, a regular J with an odd number of negative squares has a positive eigenvalue
     odd = not degenerate and negative_squares(Q) % 2
     gyroscopic = splits and kept % 2 and rank(form_on(Q * J, unreached)) == rank(on)
     return Growing(True if odd or gyroscopic else None, None)

@@ -56,7 +56,8 @@ class Secular:
     References
     ----------
     Chetaev, The Stability of Motion (1961); Zajac, J. Astronaut. Sci. 11 (1964) 46-49; Bloch, Krishnaprasad,
-    Marsden & Ratiu, Ann. Inst. H. Poincaré Anal. Non Linéaire 11 (1994) 37-90.
+    Marsden & Ratiu, Ann. Inst. H. Poincaré Anal. Non Linéaire 11 (1994) 37-90; with a proof in
+    docs/explanation/derivations/damping.md, sections 2 and 5.
     """
 
     equilibrium: Equilibrium
@@ -78,7 +79,7 @@ class Secular:
 
     @cached_property
     def standard(self) -> "Secular":
-        """The same for the equilibrium in the standard axes, if a body of revolution is recognised."""
+        """The second variation under damping in the standard axes, if a body of revolution is recognised."""
         known = seen(self.equilibrium)
         return secular_of(known.equilibrium) if known else self
 
