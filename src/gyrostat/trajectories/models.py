@@ -63,6 +63,12 @@ def motion(scene: System, state: Sequence[Any], values: Mapping[str, Any] | None
     MissingExtraError
         a scene is to be integrated, and neither SciPy nor heyoka is installed
 
+    References
+    ----------
+    Klein & Sommerfeld, Theorie des Kreisels (1897-1910), chapters I and VI, for the top; Landau & Lifshitz,
+    Mechanics, §37, for the free body; Trefethen & Weideman, SIAM Review 56 (2014) 385-458, for quadratures;
+    Jorba & Zou, Experimental Mathematics 14 (2005) 99-117, for Taylor's method.
+
     Examples
     --------
     >>> import gyrostat as gs

@@ -92,6 +92,7 @@ class Boundary(Shown, Stored):
         ring = Ring([potential.expression, k3])
         if any(k3 in g.free_symbols for g in ring.generators if g != k3):
             return None
+        # g has two degrees more than U, from 1 − k3²: above them no coefficient is new
         place = ring.generators.index(k3)
         return 2 + max(int(part.degrees()[place]) for part in ring.fraction(potential.expression))
 

@@ -179,7 +179,7 @@ def nutation(roots: Roots) -> Nutation:
 def _distance(x: arb | acb, lower: arb, upper: arb) -> arb:
     """Return the size of the ellipse through x with foci at the turning points, less that of the least.
 
-    Next to them it is what is left, so that close roots are told apart.
+    It is 0 between the turning points, and next to one of them about twice the distance from it.
     """
     return (abs(x - lower) + abs(x - upper) - (upper - lower)).mid()
 

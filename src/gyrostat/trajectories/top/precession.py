@@ -128,6 +128,7 @@ def precession(level: Level, bits: int = 53) -> Precession:
     ResolutionError
         the integrals do not converge, and more bits do not help: they give no more nodes
     """
+    # near a separatrix more bits are lost: then the precision is doubled
     precision = bits + 128
     while True:
         try:
