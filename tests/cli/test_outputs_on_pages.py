@@ -48,9 +48,10 @@ def test_a_store_of_another_chart_is_refused_as_its_page_says(capsys, tmp_path, 
     pytest.importorskip("zarr")
     monkeypatch.setenv("COLUMNS", "76")
     monkeypatch.chdir(tmp_path)
-    top = ("--equilibrium", "upright", "--potential", "m0*k3", "--set", "I1=1", "--y", "l=-2:2:10")
+    top = ("--equilibrium", "upright", "--potential", "m0*k3", "--set", "I1=1", "--y", "l=-2:2:10",
+           "--axis", "m0=0:2:2", "--output", "top.zarr")
     for x in ("pi3_0=-4:4:20", "pi3_0=-4:4:10"):
-        status, _, err = run(capsys, *top, "--x", x, "--axis", "m0=0:2:2", "--output", "top.zarr", verb="chart")
+        status, _, err = run(capsys, *top, "--x", x, verb="chart")
     assert status == 2 and [err.replace(f"{tmp_path}/", "").split()] == [
         output.split() for output in alone("large-stores.md")]
 
