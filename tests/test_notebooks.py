@@ -1,7 +1,8 @@
 """The notebooks as they are committed.
 
-Executed, small, readable, and made of public names, with a text that reads their numbers. CI executes them
-and compares their outputs, `python docs/stored.py NOTEBOOK ...` stores these.
+They are executed, small and readable, and use public names only. Their text reads its numbers from the code.
+They have an order, a level and three exercises. CI executes them and compares their outputs;
+`python docs/stored.py NOTEBOOK ...` stores these.
 """
 import ast
 import importlib
@@ -15,13 +16,18 @@ import pytest
 
 NOTEBOOKS = sorted((Path(__file__).parents[1] / "notebooks").glob("*.ipynb"))
 KEPT = {"kernelspec": {"display_name": "Python 3", "language": "python", "name": "python3"}}
+INDEX = Path(__file__).parents[1] / "docs" / "notebooks" / "index.md"
+WIDTH = 76                                           # columns that the site shows without scrolling
 HIDDEN = {"jupyter": {"source_hidden": True}, "tags": ["remove-input"]}  # a sentence: its output is shown
+FOLDED = {"jupyter": {"outputs_hidden": True, "source_hidden": True},    # a solution, unfolded by a button
+          "mystnb": {"code_prompt_hide": "Hide the solution", "code_prompt_show": "Show the solution"},
+          "tags": ["hide-cell"]}
 CHANGED = [                 # what is put instead of what is written, and words of the sentences that follow
     ("where", {'"I1": 2, "I3": 1, "l": 0, "m0": 1': '"I1": 3, "I3": 2, "l": "1/3", "m0": "5/2"'},
      ("at $m_1 = 5/4$", "$m_1 = 5/2$ and")),
     ("why-does-a-s",
      {'"I1": 1, "I3": "1/2", "m0": 1': '"I1": "3/2", "I3": 2, "m0": "3/2"', "1, 20)": "1, 10)"},
-     ("$m_0 = 3/2$", "= 3$.", "tilt of 11.4°", "falls to 84.2°", "within 18.7°")),
+     ("$m_0 = 3/2$", "= 3$.", "same tilt, 11.4°", "falls to 84.2°", "within 18.7°")),
     ("why-does-a-top", {'"2/3"), -1, -3': '"2/3"), -2, -12'}, ("$D_4 = 691181/1539000", "1.604556")),
     ("what-happens", {'"I1": 2, "I3": 1, "l": 0, "m0": 1': '"I1": 3, "I3": 1, "l": "1/3", "m0": 3'},
      ("$P^2 = 36 - 24", "at $m_1 = 3/4$ of order", "sign at $m_1 = 3/4$")),
@@ -29,8 +35,8 @@ CHANGED = [                 # what is put instead of what is written, and words 
      ("tilted by 90°", "rotor $l = 2$", "= -4/3$")),
     ("why-does-dz", {"inertia = (1, 2, 3)": "inertia = (2, 3, 5)"},
      ("moments 2, 3, 5", "= 1/3$", "0.149071")),
-    ("what-does-a", {"rotors = 10_000": "rotors = 500", '"I3": "0.6"': '"I3": "0.8"', "100, 10_000)": "100)"},
-     ("Twice 500", "I3 = 0.8", "1, 100 periods")),
+    ("what-does-a", {"n = 10_000": "n = 500", '"I3": "0.6"': '"I3": "0.8"', "100, 10_000)": "100)"},
+     ("twice 500", "I3 = 0.8", "1, 100 periods")),
     ("how-do-we-get", {'rate="540 rpm"': 'rate="450 rpm"', '"100 kg m^2"': '"90 kg m^2"'},
      ("wheel at 450 rpm", "at 183.00 rpm (pitchfork)", "period 28.10 s")),
     ("which-rotations", {'(0, "1/2", 1), 2': '(0, "1/3", 1), 3'}, ("$\\omega = 3$",)),
@@ -73,9 +79,36 @@ class TestNotebook:
         text = path.read_text(encoding="utf-8")
         notebook = json.loads(text)
         assert len(text.encode()) < 400_000
-        assert all(cell["metadata"] == (HIDDEN if says(cell) else {}) for cell in notebook["cells"])
+        for cell in notebook["cells"]:
+            assert cell["metadata"] in ([HIDDEN] if says(cell) else [{}, FOLDED])
         assert {key: value for key, value in notebook["metadata"].items() if key != "language_info"} == KEPT
         assert not any(place in text for place in ("/tmp/", "/home/", "/root/", "site-packages", "C:\\\\"))
+
+    def test_says_for_whom_it_is(self, path):
+        """The first cell ends with place and level, what is needed and what is learnt; the index agrees."""
+        place = [line.split("(")[1].rstrip(")") for line in INDEX.read_text(encoding="utf-8").splitlines()
+                 if line.endswith(".ipynb)")].index(path.name) + 1
+        lines = "".join(cells(path, "markdown")[0]["source"]).splitlines()[-3:]
+        starts = f"- **Notebook {place} of {len(NOTEBOOKS)}**, level: ", "- **You need** ", "- **You learn** "
+        assert all(line.startswith(start) for line, start in zip(lines, starts, strict=True))
+
+    def test_has_three_exercises_with_solutions_folded_away(self, path):
+        """It ends with three exercises, each followed by code that solves it and prints what it finds."""
+        *_, first, a, second, b, third, c = json.loads(path.read_text(encoding="utf-8"))["cells"]
+        assert "## Exercises\n" in first["source"]
+        for n, (exercise, solution) in enumerate(((first, a), (second, b), (third, c)), 1):
+            assert f"**Exercise {n}.** " in "".join(exercise["source"])
+            assert solution["metadata"] == FOLDED and solution["outputs"]
+
+    def test_fits(self, path):
+        """No line of shown code or of an output in text is wider than the site shows."""
+        for cell in cells(path, "code"):
+            shown = [] if says(cell) else "".join(cell["source"]).splitlines()
+            for output in cell["outputs"]:
+                if not {"image/png", "text/latex", "text/markdown"} & set(output.get("data", ())):
+                    text = output.get("text") or output["data"]["text/plain"]
+                    shown += "".join(text).splitlines()
+            assert max(map(len, shown), default=0) <= WIDTH, max(shown, key=len)
 
     def test_functions_are_short_and_names_public(self, path):
         """No function is longer than five lines, and nothing private is imported."""
@@ -92,6 +125,16 @@ class TestNotebook:
         number = re.compile(r"(\b|\\)(I_\d|I|m_\d|l|omega_\d|pi_3|d|t|P) = \(?-?\d")
         for cell in cells(path, "markdown"):
             assert not number.search("".join(cell["source"]))
+
+
+def test_the_index_has_the_order_that_the_notebooks_say():
+    """Notebook n of 13 is the nth of its list, and of its pages."""
+    page = (Path(__file__).parents[1] / "docs" / "notebooks" / "index.md").read_text(encoding="utf-8")
+    said = {int(re.search(r"Notebook (\d+) of (\d+)", path.read_text(encoding="utf-8"))[1]): path.stem
+            for path in NOTEBOOKS}
+    order = [said[n] for n in range(1, len(NOTEBOOKS) + 1)]
+    assert re.findall(r"^\d+\. \[.*\]\((.*)\.ipynb\)$", page, re.MULTILINE) == order
+    assert page.split(":hidden:\n")[1].split("```")[0].split() == order
 
 
 def sentences(sources):

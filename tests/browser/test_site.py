@@ -71,6 +71,17 @@ def test_the_home_page_is_small(site, browser):
     assert sum(sizes.values()) <= 1_000_000, sizes.most_common(5)
 
 
+def test_each_notebook_can_be_downloaded(site, browser):
+    """As it stands in the source, by a link on its page."""
+    tab = browser.new_page()
+    for notebook in sorted((Path(__file__).parents[2] / "notebooks").glob("*.ipynb")):
+        tab.goto(f"{site}/notebooks/{notebook.stem}.html")
+        with tab.expect_download() as download:
+            tab.click("text=Download this notebook")
+        assert Path(download.value.path()).read_bytes() == notebook.read_bytes()
+    tab.close()
+
+
 @pytest.mark.parametrize("words", FOUND)
 def test_the_search_finds_the_page_on(site, browser, words):
     """Among its first six."""

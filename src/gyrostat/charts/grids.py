@@ -89,6 +89,7 @@ class Grid:
         *outer, rows, columns = self.merged
         if 0 in self.merged:
             return []
+        # at least eight rows in a block, so that what varies with the column is read eight times at least
         width = min(columns, max(points // 8, 1))
         height = min(rows, max(points // width, 1))
         places = list(product(*(range(n) for n in outer)))

@@ -7,8 +7,9 @@ from textwrap import wrap
 from .output import columns
 
 WIDEST = 100                                           # columns of a text that is read
-PROGRAM = ("Stability of a gyrostat, free, in a field or in a circular orbit: from the Lie-Poisson bracket "
-           "to the inequalities, to verdicts at numbers, charts and motions. Verdicts are exact or proved.")
+PROGRAM = ("Analyses the stability of a gyrostat that is free, in a field or in a circular orbit: from the "
+           "Lie-Poisson bracket to inequalities, verdicts at numbers, charts and motions. Every verdict is "
+           "proved.")
 # of each verb: the line in the list of verbs, and what its help begins with
 VERBS = {
     "report": (
@@ -25,16 +26,17 @@ VERBS = {
         "verdicts at numbers, of one body or of many",
         "Decides at numbers whether equilibria are stable, each verdict with its notion of "
         "stability and its reason. Without --equilibrium it finds every relative equilibrium that "
-        "the numbers allow, of a body in U = c·k without numbers of its motion every arc of permanent "
-        "rotations; with --batch it answers a file of bodies, line by line."),
+        "the numbers allow and lists them in a table. For a body in U = c·k, if no number of its motion "
+        "is given, it finds every arc of permanent rotations. With --batch it answers a file of bodies, "
+        "line by line."),
     "chart": (
         "verdicts over a grid of parameters, as a picture or as data",
         "Decides at every point of a grid of parameters, and writes a picture of two axes, or data "
         "of any number of axes."),
     "motion": (
         "the motion from a state on, as a table, data, a picture or an animation",
-        "Follows the motion from a state: exactly, at any time, where the body is one of revolution"
-        " in U(k3) or free; integrated and checked otherwise."),
+        "Follows the motion from a state: exactly, at any time, if the body is free, or one of "
+        "revolution in U(k3); otherwise the motion is integrated and checked."),
     "plot": (
         "polhodes, nutation, bifurcations, eigenvalues, …, as a picture",
         "Draws one of the pictures below; each has its own options."),
@@ -56,23 +58,23 @@ KINDS = {
         "momenta, with the relative equilibria in it."),
     "bifurcations": (
         "all relative equilibria against a parameter",
-        "Draws all relative equilibria against a parameter, k3 of a body of revolution in a field, "
-        "M along the rotor or the rate of a free gyrostat, with their verdicts and the points where "
-        "they meet or change stability."),
+        "Draws all relative equilibria against a parameter, with their verdicts and the points where "
+        "they meet or change stability: k3 for a body of revolution in a field, M along the rotor or the "
+        "rate for a free gyrostat."),
     "rotor-set": (
         "where in a plane of the rotor the rotations of a free gyrostat meet",
         "Draws the bifurcation set of a free gyrostat in a plane of two components of its rotor, at a "
         "given length of the momentum: folds, pitchforks, and the number of permanent rotations."),
     "staude-cone": (
         "the directions of the permanent rotations of a heavy body, with verdicts",
-        "Draws the admissible arcs of Staude's cone on the sphere of directions, with a rotor those of a "
-        "curve: about which axes a body of three moments in U = c·k turns permanently, with the verdicts and "
-        "where they change."),
+        "Draws the admissible arcs of Staude's cone on the sphere of directions (with a rotor, of the curve "
+        "that takes its place): the axes about which a body of three moments in U = c·k turns permanently, "
+        "with the verdicts and the points where they change."),
     "staude-plane": (
         "the permanent rotations of a heavy body against their rate",
         "Draws the permanent rotations of a body of three moments in U = c·k, with a rotor or without, in "
         "the plane of the rate omega and of sigma in ∇U = omega² Ik + omega l + sigma k, with their "
-        "verdicts: which there are at each rate, and where two of them become one."),
+        "verdicts: it shows which rotations exist at each rate, and where two of them meet."),
     "amended-potential": (
         "U + (C1 − l·k)²/(2 k·Ik) of any body in a field, with its critical points",
         "Draws the amended potential of a body in a field on the sphere of directions, on a level of C1: "

@@ -19,7 +19,7 @@ from .options.scene_options import (
     pointing,
     scene_file,
 )
-from .output import standard_streams, told
+from .output import picture_options, standard_streams, told
 from .run_verb import carried_out
 from .time_limit import signals
 
@@ -32,16 +32,16 @@ def parser() -> argparse.ArgumentParser:
     top = Parser(prog="gyrostat", description=PROGRAM, epilog=examples("gyrostat"), formatter_class=Formatter)
     top.add_argument("--version", action="version", version=f"gyrostat {__version__}")
     top.add_argument("--print-completion", choices=SHELLS, action=PrintCompletion,
-                     help="a script with which the shell completes verbs, options and names of files; "
-                     "gyrostat[completion]")
+                     help="print a script with which the shell completes verbs, options and names of files; "
+                     "it needs gyrostat[completion]")
     verbs = top.add_subparsers(dest="verb", required=True, metavar="VERB")
     report, conditions, decide, chart, motion, plot, verify = (
         verbs.add_parser(name, help=line, description=sentences, epilog=examples(name),
                          formatter_class=Formatter) for name, (line, sentences) in VERBS.items())
     for verb, meaning in ((report, "with enough of them a verdict is added"),
-                          (conditions, "put in the place of the name"),
-                          (decide, "names of the moments, l, U and the motion"),
-                          (chart, "all names but the axes")):
+                          (conditions, "each takes the place of its name"),
+                          (decide, "those of the moments, of l, of the names in U and of the motion"),
+                          (chart, "those of all names except the axes")):
         a_scene(verb, meaning)
         claimed_point(verb)
     _motion(motion)
@@ -49,43 +49,42 @@ def parser() -> argparse.ArgumentParser:
         integral(verb)
     kinds = _kinds(plot)
     conditions.add_argument("--solve-for", metavar="NAME",
-                            help="the values of one name, l, pi3_0, omega3_0, omega, m0, …, for which each "
-                            "equilibrium exists and is stable; in closed form, or exact where --set gives "
-                            "all other names")
+                            help="give the values of NAME (l, pi3_0, omega3_0, omega, m0, …) for which each "
+                            "equilibrium exists and is stable; in closed form, or as exact numbers if --set "
+                            "gives all other names")
     conditions.add_argument("--windows", action="store_true", help="add what decides between the two "
                             "conditions of an asymmetric body in a field: resonances and D4, as formulas")
     conditions.add_argument("--full", action="store_true", help="print every case of --solve-for, however "
                             "long; default: at most 25 lines")
     for option, body in (("--platform-damping", "platform"), ("--rotor-damping", "rotor")):
-        conditions.add_argument(option, metavar="C", help=f"of a weak damper in the {body} of a --scene with "
-                                "one rotor, a number or a name: the energy-sink condition is added")
+        conditions.add_argument(option, metavar="C", help="add the energy-sink condition of a --scene with "
+                                f"one rotor: C, a number or a name, is the weak damping of its {body}")
     for verb in (report, conditions):
-        an_equilibrium(verb, "may be repeated; left out: all that are known", "append")
-    an_equilibrium(decide, "left out: every relative equilibrium that the numbers allow")
-    decide.add_argument("--momentum", metavar="M", help="of a free body: every permanent rotation with this "
-                        "|M|; the same as --set M")
-    decide.add_argument("--normal-form", type=int, choices=(4, 6), help="of the equilibrium that is "
-                        "named, in place of its verdict: Birkhoff's normal form of that degree; of degree "
-                        "4, where --set leaves names open, D4 in them and the conditions beside it")
+        an_equilibrium(verb, "may be repeated; default: all that are known", "append")
+    an_equilibrium(decide, "default: every relative equilibrium that the numbers allow")
+    decide.add_argument("--momentum", metavar="M", help="find every permanent rotation of a free body with "
+                        "this |M|; the same as --set M")
+    decide.add_argument("--normal-form", type=int, choices=(4, 6), help="give Birkhoff's normal form of "
+                        "this degree at the equilibrium that is named, instead of its verdict; for degree "
+                        "4, if --set leaves names open, D4 in these names and its conditions")
     decide.add_argument("--batch", metavar="FILE",
-                        help="an object of numbers in each line, - for standard input; "
-                        "--set gives numbers for all lines")
+                        help="read an object of numbers from each line of FILE, or of standard input if "
+                        "FILE is -; --set gives numbers for all lines")
     decide.add_argument("--from", type=_line, default=1, metavar="N", dest="start",
-                        help="the line of the batch to begin with, to go on "
-                        "after an interruption; left out: 1")
-    an_equilibrium(chart, "left out: of a free body axis 3")
-    for option, text in (("--x", "the horizontal axis: a name and COUNT numbers, evenly from LOW to HIGH"),
+                        help="begin with line N of the batch, to go on after an interruption; default: 1")
+    an_equilibrium(chart, "default for a free body: axis 3")
+    for option, text in (("--x", "the horizontal axis: a name and COUNT equally spaced numbers, LOW to HIGH"),
                          ("--y", "the vertical axis")):
         chart.add_argument(option, metavar="NAME=LOW:HIGH:COUNT", required=True, help=text)
     chart.add_argument("--axis", metavar="NAME=LOW:HIGH:COUNT", action="append",
                        help="a further axis of the data; may be repeated")
     chart.add_argument("--damped", action="store_true",
-                       help="the verdicts under internal damping too; in a picture hatched where it destroys "
-                       "what is stable")
-    chart.add_argument("--threads", type=int, default=1, metavar="N", help="left out: 1")
+                       help="decide under internal damping, too; a picture is hatched where damping destroys "
+                       "stability")
+    chart.add_argument("--threads", type=int, default=1, metavar="N", help="how many threads; default: 1")
     chart.add_argument("--backend", choices=("numpy", "numba"), default="numpy",
-                       help="numba: faster, gyrostat[fast]")
-    chart.add_argument("--output", metavar="FILE", help="chart.png, .pdf, .svg, .nc or .zarr")
+                       help="numba is faster and needs gyrostat[fast]; default: numpy")
+    chart.add_argument("--output", metavar="FILE", help="write to chart.png, .pdf, .svg, .nc or .zarr")
     verify.add_argument("sources", nargs="*", metavar="SOURCE",
                         help="VV2003, N2025, EA, AR, literature, windows, satellites, or a .toml file of "
                         "your own; default: the first seven")
@@ -95,22 +94,25 @@ def parser() -> argparse.ArgumentParser:
     decide.add_argument("--full", action="store_true",
                         help="print below the table of several equilibria the details of each: exact "
                         "numbers, frequencies, margins and reasons")
-    decide.add_argument("--format", choices=("text", "json"), help="left out: text, of a batch JSON")
+    decide.add_argument("--format", choices=("text", "json"), help="default: text; for a batch: json")
     for verb in (report, conditions, verify):
-        verb.add_argument("--format", choices=("text", "latex", "json"), default="text")
+        verb.add_argument("--format", choices=("text", "latex", "json"), default="text",
+                          help="default: text")
         verb.add_argument("--fragment", action="store_true",
-                          help="with --format latex: without preamble, for \\input")
+                          help="with --format latex: leave out the preamble, for \\input")
         verb.add_argument("--symbols", nargs="+", action="extend", default=[], metavar="NAME=LATEX",
-                          help="with --format latex: the symbols of a paper, I1=A I3=C 'l=\\sigma'")
+                          help="with --format latex: write the symbols of a paper, I1=A I3=C 'l=\\sigma'")
         verb.add_argument("--label", metavar="PREFIX",
-                          help="with --format latex: what labels begin with; left out: gyrostat")
+                          help="with --format latex: begin every label with PREFIX; default: gyrostat")
     motion.add_argument("--precision", type=int, metavar="DIGITS",
-                        help="of a table, any number of digits; left out: doubles")
+                        help="give the numbers of a table to so many digits, as many as you like; default: "
+                        "doubles")
     for verb in (report, conditions, decide, motion, *kinds, chart, verify):
         limit = None if verb in (chart, verify) else LIMIT
+        batch = " (in a batch: SECONDS per line)" if verb is decide else ""
         verb.add_argument("--timeout", type=_seconds, default=limit, metavar="SECONDS",
-                          help="the verb is ended when it has taken so long, of a batch the line; "
-                          f"none: never; left out: {'none' if limit is None else f'{limit:g}'}")
+                          help=f"stop after SECONDS{batch}; none: no limit; "
+                          f"default: {'none' if limit is None else f'{limit:g}'}")
     for verb in (report, conditions, decide, motion, verify):
         verb.add_argument("--output", metavar="FILE", help="write to a file instead of the terminal" + (
             ": motion.csv, .nc, .png, .pdf, .svg, .gif or .mp4" if verb is motion else ""))
@@ -120,24 +122,23 @@ def parser() -> argparse.ArgumentParser:
 def _motion(verb: argparse.ArgumentParser) -> None:
     """A body, its state and times."""
     a_scene(verb, "I1, I3 or I1, I2, I3; l or l1, l2, l3; the names in U",
-           "with k1 or k2 in it, U(k1, k2, k3); none for a free body")
+           "none for a free body")
     verb.add_argument("--state", metavar="PI1,PI2,PI3,K1,K2,K3",
-                      help="at the time 0, exact; of a free body PI1,PI2,PI3, in orbit "
-                      "PI1,PI2,PI3,N1,N2,N3,R1,R2,R3; pi is the momentum with the rotor locked, k the "
-                      "direction of the field in the body")
+                      help="the exact state at time 0: pi is the momentum with the rotor locked, k the "
+                      "direction of the field in the body; for a free body PI1,PI2,PI3, in orbit "
+                      "PI1,PI2,PI3,N1,N2,N3,R1,R2,R3")
     pointing(verb)
     verb.add_argument("--release", metavar="ROLL,PITCH,YAW",
-                      help="of a satellite in orbit, in place of --state: at rest in the frame of the orbit, "
-                      "turned by these angles, '5 deg,0,0', without a unit in rad, by yaw first and by roll "
-                      "last")
+                      help="instead of --state: start a satellite at rest in the frame of the orbit, turned "
+                      "by these angles, first by yaw and last by roll; '5 deg,0,0', or in rad without a unit")
     verb.add_argument("--until", metavar="T", required=True,
-                      help="the last time; before 0 the motion goes back")
+                      help="the last time; if it is negative, the motion goes back from 0")
     among = verb.add_mutually_exclusive_group()
     among.add_argument("--count", type=int, metavar="N",
-                       help="times from 0 to T; left out: 201, of a curve 2001, of an animation 150")
-    among.add_argument("--step", metavar="DT", help="the time from one to the next, in place of --count")
+                       help="how many times from 0 to T; default: 201, for a curve 2001, for a film 150")
+    among.add_argument("--step", metavar="DT", help="the time from one to the next, instead of --count")
     verb.add_argument("--tolerance", metavar="X",
-                      help="the error that is accepted of a motion that is integrated; left out: 1e-3")
+                      help="the largest error of a motion that is integrated numerically; default: 1e-3")
 
 
 def _kinds(plot: Parser) -> list[Parser]:
@@ -148,15 +149,15 @@ def _kinds(plot: Parser) -> list[Parser]:
         for name, (line, sentences) in KINDS.items())
     scene_file(sphere)
     numbers(sphere, "I1, I2, I3; l or l1, l2, l3")
-    sphere.add_argument("--momentum", metavar="M", required=True, help="the radius, |M|")
+    sphere.add_argument("--momentum", metavar="M", required=True, help="the radius of the sphere, |M|")
     sphere.add_argument("--energy", metavar="H", action="append",
-                        help="of a polhode; may be repeated; left out: some of each kind")
+                        help="draw the polhode of this energy; may be repeated; default: some of each kind")
     _motion(nutation)
     nutation.set_defaults(precision=None)
-    a_scene(well, "I1, I3, l, the names in U, p_phi and p_psi", "it is required")
-    well.add_argument("--energy", metavar="H", help="with the motion at this energy")
-    a_scene(branches, "I1, I3, l, omega and the names in U, or I1, I2, I3, l1, l2, l3 and M, without that of "
-           "the axis", "none for a free gyrostat; it is required")
+    a_scene(well, "I1, I3, l, the names in U, p_phi and p_psi", "required")
+    well.add_argument("--energy", metavar="H", help="draw the motion at this energy, too")
+    a_scene(branches, "I1, I3, l, omega and the names in U, or I1, I2, I3, l1, l2, l3 and M, except the name "
+           "of the axis", "none for a free gyrostat; required")
     branches.add_argument("--x", metavar="NAME=LOW:HIGH", required=True,
                           help="the parameter, omega or another name, and its range")
     scene_file(rotors)
@@ -164,23 +165,24 @@ def _kinds(plot: Parser) -> list[Parser]:
     rotors.add_argument("--momentum", metavar="M", required=True, help="|M|")
     for kind in staude, plane:
         a_scene(kind, "I1, I2, I3, l or l1, l2, l3, and the names in U",
-               "of degree 1 in k1, k2, k3; it is required")
-    plane.add_argument("--x", metavar="omega=LOW:HIGH", help="the rates; left out: all where something is")
+               "of degree 1 in k1, k2, k3; required")
+    plane.add_argument("--x", metavar="omega=LOW:HIGH",
+                       help="the range of the rates; default: all at which there are rotations")
     a_scene(amended, "I1, I2, I3, l or l1, l2, l3, the names in U, and C1",
-           "of degree 1 or 2 in k1, k2, k3; it is required")
-    a_scene(diagram, "I1, I3, l, the names in U, and p_psi", "it is required")
-    a_scene(eigenvalues, "all names in the spectrum but the axis")
-    an_equilibrium(eigenvalues, "left out: of a free body axis 3")
+           "of degree 1 or 2 in k1, k2, k3; required")
+    a_scene(diagram, "I1, I3, l, the names in U, and p_psi", "required")
+    a_scene(eigenvalues, "those of all names in the spectrum except the axis")
+    an_equilibrium(eigenvalues, "default for a free body: axis 3")
     claimed_point(eigenvalues)
     eigenvalues.add_argument("--x", metavar="NAME=LOW:HIGH[:COUNT]", required=True,
-                             help="the parameter, its range, either way, and how many values; "
-                             "left out: 200")
+                             help="the parameter, its range in either direction, and how many values; "
+                             "default: 200")
     numbers(cones, "I1 and I3")
     cones.add_argument("--transverse", metavar="W", required=True,
                        help="the angular velocity across the axis")
     cones.add_argument("--axial", metavar="W3", required=True, help="the angular velocity along the axis")
     for kind in kinds.choices.values():
-        kind.add_argument("--output", metavar="FILE", help="a .png, .pdf or .svg")
+        picture_options(kind)
     return list(kinds.choices.values())
 
 

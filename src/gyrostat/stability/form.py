@@ -1,4 +1,7 @@
-"""The second variation and the spectrum of a relative equilibrium in numbers, for every kind of scene."""
+"""The second variation and the spectrum of a relative equilibrium in numbers, for every kind of scene.
+
+Signs are proved in balls, or exactly; they count the negative squares by Descartes' rule (Chetaev).
+"""
 from collections.abc import Callable, Sequence
 from typing import Any, ClassVar, NamedTuple
 
@@ -44,7 +47,7 @@ class Form(Stored):
 
     References
     ----------
-    Chetaev, The Stability of Motion (1961), §§26-30; Descartes' rule, exact where all roots are real.
+    Chetaev, The Stability of Motion (1961), §§26-30; Descartes' rule, which is exact if all roots are real.
     """
 
     LEAST: ClassVar[Decision]                              # if the second variation is definite

@@ -1,4 +1,7 @@
-"""Decides an equilibrium at exact numbers by a ladder of criteria and theorems: the first that applies."""
+"""Decides an equilibrium at exact numbers by a ladder of criteria and theorems: the first that applies.
+
+RUNGS names each with its source.
+"""
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Any
@@ -65,7 +68,7 @@ class Ladder(Derived):
         found = self.decide(numbers, margins)
         if not found.modulo or not found.stable:
             return replace(found, modulo=())
-        margins.clear()
+        margins.clear()                                    # they proved the decision modulo a flow
         known = self.recognised or seen_at(self.equilibrium, numbers)
         if known:
             drift = loaded(f"{THEOREMS}.drift:Drift")(known.equilibrium).decide(numbers, margins)
@@ -83,7 +86,7 @@ class Step:
     ----------
     name : str
     source : str
-        where the criterion or theorem is published, or that it is derived
+        where the criterion or theorem is published, that it is derived, or that nothing is guessed
     applies, decides : callable
         take a Standing, and say whether it is decided here, and how; a theorem's module is loaded then
     """

@@ -7,6 +7,11 @@ class Notion(Enum):
 
     A notion prints as its value, and is equal to that text.
 
+    References
+    ----------
+    Spectral and formal: Holm, Marsden, Ratiu & Weinstein, Phys. Rep. 123 (1985) 1-116; secular: Kelvin &
+    Tait, Treatise on Natural Philosophy (1879), §345; energy sink: Likins, J. Spacecraft 4 (1967).
+
     Examples
     --------
     >>> import gyrostat as gs

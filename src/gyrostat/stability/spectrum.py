@@ -78,6 +78,7 @@ def squares(spectrum: Sequence[arb]) -> list[acb]:
         return []
     if len(spectrum) == 2:
         return [acb(-spectrum[1] / spectrum[0])]
+    # without a gap two roots are one, and solving for them would lose half of the bits
     gap = conditions(spectrum)[-1]
     if not gap.contains(0):
         size = reduce(arb.max, (abs(x / spectrum[0]).upper().root(n) for n, x in enumerate(spectrum[1:], 1)))

@@ -1,10 +1,10 @@
-"""The motion of a scene, and a verdict held against it.
+"""The motion of a scene, exact where its model allows, and a verdict held against it.
 
 `models` chooses the smallest model that a scene allows, each a `route`: a body of revolution in U(k3) (`top`;
 about any axis a `turned_motion`) or a free body (`free`), both exact; any other scene is `integrated`. A
 `motion` answers at any times, in doubles or in more digits (`states_in_digits`): states, attitudes and
-angular velocities (`columns`), `librations` of a satellite, rates and what is conserved (`summary`). Times
-of any length are reduced in two doubles (`periods`); `elliptic` functions stay exact next to a separatrix.
+angular velocities (`columns`), `librations` of a satellite, rates and what is conserved (`summary`). Times of
+any length are reduced in two doubles (`periods`); `elliptic` functions stay exact next to a separatrix.
 `confirmation` disturbs an equilibrium and looks at the `excursions`.
 """
 from .confirmation import Confirmation, confirm

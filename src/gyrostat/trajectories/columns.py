@@ -1,4 +1,4 @@
-"""What a table of a motion holds: state, angular velocity and attitude, with names, units and meanings."""
+"""Makes the columns of a table of a motion: state, angular velocity and attitude, with names and units."""
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -21,7 +21,7 @@ RATE = units(0, 1, 0)
 
 @dataclass(frozen=True)
 class Column:
-    """A quantity over the times."""
+    """A quantity over the times, with its name, units, LaTeX and meaning."""
 
     name: str
     units: str
@@ -32,19 +32,25 @@ class Column:
 
 def columns(scene: System, times: Array, states: Array, turns: Array | None,
             pointing: Sequence[int] = (1, 2, 3)) -> list[Column]:
-    """The state, ω, and where there is an attitude the quaternion and Euler's angles; in orbit roll, pitch
-    and yaw, and the orbits since the time 0.
+    """Return the state, ω and, if there is an attitude, the quaternion and Euler's angles.
+
+    In an orbit there are roll, pitch and yaw instead of Euler's angles, and the orbits since the time 0.
 
     Parameters
     ----------
     scene : System
     times : array, shape (m,)
+        [T]
     states : array, shape (m, n)
         doubles
     turns : array, shape (m, 3, 3)
-        from the body to space, or to the frame of two directions; None where there is no vertical
+        from the body to space, or to the frame of two directions; None if there is no vertical
     pointing : sequence of three int
-        in orbit, the body axes along t, n and r where roll, pitch and yaw are 0
+        in an orbit, the body axes along t, n and r if roll, pitch and yaw are 0
+
+    Returns
+    -------
+    list of Column
     """
     found = []
     for i, s in enumerate(scene.space.coordinates):
@@ -70,7 +76,7 @@ def columns(scene: System, times: Array, states: Array, turns: Array | None,
 
 
 def _in_orbit(scene: System, times: Array, turns: Array, pointing: Sequence[int]) -> list[Column]:
-    """Roll, pitch, yaw and orbits."""
+    """Return roll, pitch, yaw and orbits."""
     angles = roll_pitch_yaw(turns, pointing).T
     turned = float(orbital_rate(scene)) * np.asarray(times, dtype=float) / (2 * np.pi)
     return [Column("orbits", "1", r"\omega_0 t/2\pi", "orbits since the time 0", turned), *(
@@ -80,30 +86,31 @@ def _in_orbit(scene: System, times: Array, turns: Array, pointing: Sequence[int]
 
 
 def _rates(body: Gyrostat, momentum: Array) -> list[Array]:
-    """ω along each axis, of π."""
+    """Return ω along each axis, from π."""
     if isinstance(body.inertia, ImmutableMatrix):
         return [momentum @ np.array([float(x) for x in row]) for row in body.inverse.tolist()]
     return [momentum[:, i] / float(moment) for i, moment in enumerate(body.moments)]
 
 
 def quaternions(turns: Array) -> Array:
-    """q0 + q1 i + q2 j + q3 k with x_space = q x_body q*, shape (m, 4).
+    """Return q0 + q1 i + q2 j + q3 k with x_space = q x_body q*, shape (m, 4).
 
-    The first one with q0 ≥ 0, each other one next to the one before.
+    The first one has q0 ≥ 0, each other one is the nearer of two to the one before.
 
     References
     ----------
-    Shepperd, Journal of Guidance and Control 1 (1978) 223-224: from the largest of the four, so that nothing
-    cancels.
+    Shepperd, Journal of Guidance and Control 1 (1978) 223-224: from the largest of the four components, so
+    that nothing cancels.
 
     Examples
     --------
-    >>> quaternions(np.array([np.eye(3), [[0, -1, 0], [1, 0, 0], [0, 0, 1]]])).round(6).tolist()
+    >>> quarter = [[0, -1, 0], [1, 0, 0], [0, 0, 1]]
+    >>> quaternions(np.array([np.eye(3), quarter])).round(6).tolist()
     [[1.0, 0.0, 0.0, 0.0], [0.707107, 0.0, 0.0, 0.707107]]
     """
     (a, b, c), (d, e, f), (g, h, i) = np.moveaxis(turns, 0, -1)
     four = np.moveaxis(np.array([[1 + a + e + i, h - f, c - g, d - b], [h - f, 1 + a - e - i, b + d, c + g],
-                                 # 4 q qᵀ
+                                 # the matrix 4 q qᵀ, each row a multiple of q
                                  [c - g, b + d, 1 - a + e - i, f + h],
                                  [d - b, c + g, f + h, 1 - a - e + i]]), -1, 0)
     found = four[np.arange(len(four)), np.diagonal(four, axis1=1, axis2=2).argmax(axis=1)]
@@ -117,7 +124,7 @@ def quaternions(turns: Array) -> Array:
 
 
 def euler(turns: Array) -> Array:
-    """φ, θ, ψ (z-x-z), shape (..., 3), φ and ψ between −π and π; where sin θ = 0, ψ = 0."""
+    """Return φ, θ, ψ (z-x-z), shape (..., 3), φ and ψ between −π and π; if sin θ = 0, ψ = 0."""
     across = np.hypot(turns[..., 2, 0], turns[..., 2, 1])
     phi = np.where(across == 0, np.arctan2(turns[..., 1, 0], turns[..., 0, 0]),
                    np.arctan2(turns[..., 0, 2], -turns[..., 1, 2]))
@@ -126,7 +133,7 @@ def euler(turns: Array) -> Array:
 
 
 def turns_of(attitude: Callable[[Array], Array], times: Array) -> Array | None:
-    """The attitude of a motion at times, None where there is no vertical."""
+    """Return the attitude of a motion at times, None if there is no vertical."""
     try:
         return attitude(times)
     except ValuesError:
@@ -134,7 +141,7 @@ def turns_of(attitude: Callable[[Array], Array], times: Array) -> Array | None:
 
 
 def dataset(table: Sequence[Column], times: Array, attributes: Mapping[str, Any]) -> Any:
-    """The xarray.Dataset of what was computed."""
+    """Return the xarray.Dataset of what was computed."""
     variables = {c.name: ("time", c.values, {"units": c.units, "latex": c.latex, "long_name": c.meaning})
                  for c in table}
     time = "time", times, {"units": "s", "long_name": "time from the state given"}

@@ -1,4 +1,4 @@
-"""A verdict against the motion: how far the motions go that start close to an equilibrium."""
+"""Holds a verdict against the motion: how far motions go that start close to an equilibrium."""
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -25,10 +25,10 @@ from .excursions import SLOW, TURNED, Distance, excursion
 from .models import free_names, motion, with_numbers
 
 SIZES = tuple(Rational(1, 10**d) for d in range(2, 9))
-# directions with nothing special to them
+# generic directions: they are in no plane of symmetry, and rational
 TURNS = tuple(ImmutableMatrix(v) / 60 for v in ([20, -24, 30], [26, 15, -20]))
 CHANGES = tuple(ImmutableMatrix(v) / 60 for v in ([-15, 30, 24], [30, 12, -25]))
-# 1/2, 1/3, 1/4, 1/6, … are told apart; of order one; like a definite form
+# relative distance at which 1/2, 1/3, 1/4, 1/6, … are told apart; slope of no power; slope of a definite form
 CLOSE, FLAT, STEEP = 0.12, 0.05, 0.9
 
 
@@ -39,16 +39,15 @@ class Confirmation:
     Parameters
     ----------
     decision : Decision
-        the verdict
     sizes : tuple of float
-        ε; k is turned and π moved by about ε
+        the ε; k is turned and π moved by about ε
     excursions : tuple of float
         the largest distance from the equilibrium, modulo the flow that the decision names
     slope : float
-        of log excursion against log ε, at the three smallest ε
+        the slope of log excursion against log ε, at the three smallest ε
     expected : float or None
-        what the verdict says of it: 1 where the second variation is definite, less on a stable boundary, 0
-        where it is unstable; None where no theorem says
+        the slope that the verdict implies: 1 if the second variation is definite, less on a stable boundary,
+        0 if it is unstable; None if no theorem tells
     routes : tuple of str
         how the motions were found
     complete : bool
@@ -59,8 +58,10 @@ class Confirmation:
     Examples
     --------
     >>> import gyrostat as gs
-    >>> top = gs.analyze(gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())))
-    >>> fallen = gs.trajectories.confirm(top, {"I1": 1, "I3": 1, "l": 0, "m0": 1, "pi3_0": 1})
+    >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
+    >>> report = gs.analyze(gs.upright(top))
+    >>> slow = {"I1": 1, "I3": 1, "l": 0, "m0": 1, "pi3_0": 1}
+    >>> fallen = gs.trajectories.confirm(report, slow)
     >>> fallen.decision.verdict.name, fallen.expected, fallen.agrees
     ('UNSTABLE', 0.0, True)
     """
@@ -78,9 +79,8 @@ class Confirmation:
     def agrees(self) -> bool | None:
         """Whether the motions do what the verdict says.
 
-        None where it is undecided, or the sizes are too large to tell.
-
-        Close to a boundary they have to be smaller than the distance from it.
+        It is None if the verdict is undecided, or the sizes are too large, as they may be close to a
+        boundary.
         """
         verdict = self.decision.verdict
         if verdict is Verdict.UNDECIDED or math.isnan(self.slope):
@@ -95,7 +95,7 @@ class Confirmation:
 
     @property
     def why(self) -> str:
-        """Why agrees is None; "" where it is not."""
+        """Why agrees is None; "" if it is not."""
         if self.agrees is not None:
             return ""
         if self.decision.verdict is Verdict.UNDECIDED:
@@ -111,10 +111,10 @@ class Confirmation:
 def confirm(report: Report, values: Mapping[str, Any], sizes: Sequence[Any] = SIZES) -> Confirmation:
     """Follow motions that start close to an equilibrium, and compare how far they go with the verdict.
 
-    Two generic directions, each with both signs; abs(k) is kept, exactly, and nothing else. A motion with a
-    period, as every one of a body of revolution in U(k3) and of a free body has, is followed over one period,
-    which is the whole orbit modulo the spin; any other over 20 turns of the linearised one, and for 10 times
-    of growth after it has escaped, unless that takes more steps than can be waited for: then `why` says so.
+    They start in two generic directions, with both signs; only abs(k) is kept. A motion with a period, as
+    that of a body of revolution in U(k3) or of a free body, is followed over it, which is the whole orbit
+    modulo the spin; any other over 20 turns of the linearised one, and for 10 times of growth after it has
+    escaped, unless that takes too many steps: then `why` says so.
 
     Parameters
     ----------
@@ -122,7 +122,7 @@ def confirm(report: Report, values: Mapping[str, Any], sizes: Sequence[Any] = SI
     values : mapping of name to number
         those of the verdict, and those of the body and of U that it does not need, such as I3
     sizes : sequence of numbers
-        positive, falling; at least three
+        positive, falling; at least three; default 10⁻², …, 10⁻⁸
 
     Returns
     -------
@@ -133,22 +133,25 @@ def confirm(report: Report, values: Mapping[str, Any], sizes: Sequence[Any] = SI
     ScopeError
         U is unspecified: there is no motion
     ValuesError
-        as for a verdict; a name is missing that the motion needs; sizes that are none
+        as for a verdict; a name is missing that the motion needs; the sizes are not as described
     MissingExtraError
         a motion is to be integrated, and neither SciPy nor heyoka is installed
 
     References
     ----------
-    The exponents on a boundary: docs/explanation/stability.md.
+    The exponents on a boundary: docs/explanation/derivations/boundaries.md, section 5.
 
     Examples
     --------
     >>> import gyrostat as gs
-    >>> top = gs.analyze(gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())))
-    >>> critical = {"I1": 1, "I3": 1, "l": 0, "m0": 1, "pi3_0": 2}             # (π3 + l)² = 4 I1 m0
-    >>> sleeping = gs.trajectories.confirm(top, critical)
-    >>> sleeping.decision.verdict.name, sleeping.expected, round(sleeping.slope, 3), sleeping.agrees
-    ('STABLE', 0.5, 0.5, True)
+    >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
+    >>> report = gs.analyze(gs.upright(top))
+    >>> critical = {"I1": 1, "I3": 1, "l": 0, "m0": 1, "pi3_0": 2}
+    >>> sleeping = gs.trajectories.confirm(report, critical)  # π3² = 4 I1 m0
+    >>> sleeping.decision.verdict.name, sleeping.expected
+    ('STABLE', 0.5)
+    >>> round(sleeping.slope, 3), sleeping.agrees
+    (0.5, True)
     """
     in_one_direction(report.equilibrium.system.potential, "a confirmation by motions")
     eq, decision = report.equilibrium, report.verdict(values)
@@ -187,13 +190,14 @@ def confirm(report: Report, values: Mapping[str, Any], sizes: Sequence[Any] = SI
 
 
 def moved(point: Sequence[Expr], turn: ImmutableMatrix, change: ImmutableMatrix) -> tuple[Expr, ...]:
-    """π changed, and k turned about a vector by twice the arctangent of half its length.
+    """Return π changed, and k turned about a vector by twice the arctangent of half its length.
 
-    Rational where all of them are.
+    The result is rational if all of them are.
 
     Examples
     --------
-    >>> moved((0, 0, 1, 0, 0, 1), ImmutableMatrix([1, 0, 0]), ImmutableMatrix([0, 2, 0]))
+    >>> point, turn = (0, 0, 1, 0, 0, 1), ImmutableMatrix([1, 0, 0])
+    >>> moved(point, turn, ImmutableMatrix([0, 2, 0]))
     (0, 2, 1, 0, -4/5, 3/5)
     """
     pi, k, a = ImmutableMatrix(point[:3]) + change, ImmutableMatrix(point[3:]), turn / 2
@@ -204,7 +208,7 @@ def moved(point: Sequence[Expr], turn: ImmutableMatrix, change: ImmutableMatrix)
 
 
 def _scene_numbers(eq: Equilibrium, numbers: Point) -> dict[str, Expr]:
-    """The numbers of the body and of U, an eliminated one among them."""
+    """Return the numbers of the body and of U, an eliminated one among them."""
     found = {s.name: evaluate(eq.insert(s), numbers) for s in free_names(eq.system)}
     if missing := [name for name, value in found.items() if value.free_symbols]:
         raise ValuesError(f"a motion from {eq.label} needs {', '.join(missing)}, a verdict may not: give a "
@@ -213,9 +217,9 @@ def _scene_numbers(eq: Equilibrium, numbers: Point) -> dict[str, Expr]:
 
 
 def _rates(report: Report, numbers: Point) -> tuple[float, float]:
-    """The largest modulus and the largest real part of an eigenvalue of the linearised field.
+    """Return the largest modulus and the largest real part of an eigenvalue of the linearised field.
 
-    From the polynomial of the squares, λᵈ + c2 λᵈ⁻² + …, without its exact zeros, large in doubles.
+    They come from the polynomial in λ², without its exact zeros, which would be large in doubles.
     """
     found = [evaluate(report.equilibrium.insert(c), numbers) for c in report.linearization.coefficients]
     while found and sign_of_constant(found[-1]) == 0:
@@ -225,7 +229,7 @@ def _rates(report: Report, numbers: Point) -> tuple[float, float]:
 
 
 def _expected(report: Report, decision: Decision, numbers: Point) -> float | None:
-    """The slope that the verdict implies."""
+    """Return the slope that the verdict implies."""
     if decision.verdict is not Verdict.STABLE:
         return 0.0 if decision.verdict is Verdict.UNSTABLE else None
     if known := seen_at(report.equilibrium, numbers):      # of revolution at these numbers
@@ -236,9 +240,9 @@ def _expected(report: Report, decision: Decision, numbers: Point) -> float | Non
 
 
 def _on_boundary(boundary: Boundary, numbers: Point) -> float | None:
-    """Of g = c xⁿ⁺² + …: 1/(n + 1).
+    """Return the slope on a boundary with g = c xⁿ⁺² + …: 1/(n + 1).
 
-    At a pole, where 1 − k3 is half the square of the distance, 1/(2n) unless π3 + l = 0.
+    At a pole, where 1 − k3 is half the square of the distance, it is 1/(2n), unless π3 + l = 0.
     """
     n = float(next(rung.power for rung in boundary.rungs() if sign_at(rung.condition, numbers, {}))) - 2
     eq = boundary.equilibrium

@@ -1,6 +1,7 @@
 """Jacobi's elliptic functions sn, cn, dn from the complementary parameter m1 = 1 − m.
 
-Sums of positive terms, down to m1 = 0.
+They are computed by Landen's transformation in sums of positive terms, so that nothing is lost as m1 goes to
+0.
 """
 import math
 from collections.abc import Iterable
@@ -17,20 +18,24 @@ from .periods import pair, reduced
 
 
 def jacobi(u: Array, complement: float) -> tuple[Array, Array, Array]:
-    """(sn, cn, dn) at an array of arguments, to a few units in the last place of 1.
+    """Return (sn, cn, dn) at an array of arguments, to a few units in the last place of 1.
 
     Parameters
     ----------
-    u : array of floats
+    u : array of floats, any shape
         any size: it is reduced to abs(u) ≤ K
     complement : float
         m1 from 0, the hyperbolic functions, to 1, the circular ones
 
+    Returns
+    -------
+    three arrays, shape of u
+
     References
     ----------
-    Descending Landen transformation, Abramowitz & Stegun, 16.12, in the steps a, b of the
-        arithmetic-geometric mean, with
-    1 = sn² + cn² inserted wherever terms would cancel; Bulirsch, Numerische Mathematik 7 (1965) 78-90.
+    Descending Landen transformation (Gauss's), Abramowitz & Stegun, 16.12, in the steps a, b of the
+    arithmetic-geometric mean, with 1 = sn² + cn² inserted wherever terms would cancel; Bulirsch, Numerische
+    Mathematik 7 (1965) 78-90.
 
     Examples
     --------
@@ -59,7 +64,7 @@ class Landen(NamedTuple):
 
 @lru_cache(maxsize=64)
 def landen(complement: float) -> Landen:
-    """The steps from m1 to the circular functions, in doubles."""
+    """Return the steps from m1 to the circular functions, in doubles."""
     with own_precision(128):
         half = pair(2 * quarter_period(arb(complement)))
     levels, a, b = [], 1.0, math.sqrt(complement)
@@ -71,12 +76,16 @@ def landen(complement: float) -> Landen:
 
 
 def raised(sine: Any, cosine: Any, steps: Landen) -> tuple[Any, Any, Any]:
-    """(sn, cn, dn) at abs(u) ≤ K from the sine and cosine of π u/2K, numbers or arrays."""
+    """Return (sn, cn, dn) at abs(u) ≤ K from the sine and cosine of π u/2K, numbers or arrays."""
     return _ascended(sine, cosine, 1.0, steps.levels)
 
 
 def _ascended(sn: Any, cn: Any, dn: Any, levels: Iterable[tuple[Any, Any, Any]]) -> tuple[Any, Any, Any]:
-    """The functions of the first parameter from those of the last, by a, b and their mean at each step."""
+    """Return the functions of the first parameter from those of the last, by the a, b and mean of each step.
+
+    It is the descending Landen transformation (Gauss's) read backwards, Abramowitz & Stegun, 16.12.2-4: with
+    √μ = (a − b)/(a + b) the parameter below, 1 + √μ = a/mean and sn = (1 + √μ) sn'/(1 + √μ sn'²).
+    """
     for a, b, mean in levels:
         cosine, sine = mean * cn * cn, sn * sn
         below = cosine + a * sine
@@ -85,7 +94,7 @@ def _ascended(sn: Any, cn: Any, dn: Any, levels: Iterable[tuple[Any, Any, Any]])
 
 
 def means(complement: arb) -> list[tuple[arb, arb]]:
-    """The arithmetic and geometric means from 1 and √m1 on, until they agree at the precision that is set."""
+    """Return the arithmetic and geometric means from 1 and √m1 on, until they agree at the set precision."""
     found = [(arb(1), complement.sqrt())]
     while abs(found[-1][0] - found[-1][1]) > found[-1][0] * arb(2) ** -ctx.prec:
         a, b = found[-1]
@@ -94,13 +103,11 @@ def means(complement: arb) -> list[tuple[arb, arb]]:
 
 
 def jacobi_ball(u: arb, complement: arb, steps: list[tuple[arb, arb]] | None = None) -> tuple[arb, arb, arb]:
-    """(sn, cn, dn) as enclosures, at the precision that is set.
+    """Return (sn, cn, dn) as enclosures, at the precision that is set.
 
-    Each halving of the exponent of m1 costs two or three bits.
-
-    The steps, means(complement), serve many arguments.
-
-    Where m is below ε the amplitude lies between u and u − ε abs(u), since its derivative is √(1 − m sin²).
+    Each halving of the exponent of m1 costs two or three bits. The steps, means(complement), serve many
+    arguments. They end with a parameter m below ε, at which the amplitude lies between u and u − ε abs(u),
+    since its derivative is √(1 − m sin²).
 
     Examples
     --------
@@ -119,7 +126,7 @@ def jacobi_ball(u: arb, complement: arb, steps: list[tuple[arb, arb]] | None = N
 
 
 def quarter_period(complement: arb) -> arb:
-    """K = π / (2 agm(1, √m1)), at the precision that is set.
+    """Return K = π / (2 agm(1, √m1)), at the precision that is set.
 
     Examples
     --------
@@ -130,11 +137,10 @@ def quarter_period(complement: arb) -> arb:
 
 
 def argument(sine: arb, cosine: arb, complement: arb) -> arb:
-    """The argument u between 0 and 2 K for which sn u : cn u = sine : cosine, where sine ≥ 0.
+    """Return the argument u between 0 and 2 K for which sn u : cn u = sine : cosine, where sine ≥ 0.
 
-    Its relative precision is that of the two and of m1.
-
-    u = s R_F(c², c² + m1 s², 1) where s² + c² = 1; near K from there, sn : cn = c : s √m1 at K − u.
+    Its relative precision is that of the two and of m1. With s² + c² = 1 it is u = s R_F(c², c² + m1 s², 1).
+    Near K it is taken from there, as sn : cn = c : s √m1 at K − u.
 
     References
     ----------

@@ -1,4 +1,4 @@
-"""How far a motion goes from an equilibrium, and for how long it is followed."""
+"""Follows a motion from near an equilibrium, and tells how far it goes."""
 import math
 from collections.abc import Callable, Sequence
 
@@ -12,18 +12,17 @@ from ..stability.decision import Decision
 from .motion import Motion
 
 POINTS, LOOKS = 500, 4                                 # times of a motion; looks at its largest distance
-# turns of a motion without a period; times of growth after an escape
+# turns for which a motion without a period is followed; times of growth after an escape
 TURNED, LATER = 20, 10
-# steps by which all motions of a confirmation may be integrated, half a minute of either method; steps that
-# tell how many a time takes
+# the most steps for all motions of a confirmation, half a minute of either method; steps after which one
+# knows how many a time takes
 AFFORDED, TRIED = {"heyoka": 3_000_000, "DOP853": 200_000}, 100
-# a growth that is smaller, in units of the rate, is none that can be waited for
+# a growth that is slower, in units of the rate, cannot be waited for
 SLOW = 1e-6
 
 
 class Distance:
-    """The distance of states from an equilibrium, modulo the rotations about an axis where the decision is.
-    """
+    """The distance of states from an equilibrium, modulo the rotations that the decision divides out."""
 
     def __init__(self, eq: Equilibrium, decision: Decision, point: Sequence[Expr]):
         self.point = np.array([float(x) for x in point]).reshape(-1, 3)
@@ -38,7 +37,7 @@ class Distance:
         return np.sqrt(((vectors - self.point) ** 2).sum(axis=(1, 2)))
 
     def turned(self, vectors: Array, axis: Array) -> Array:
-        """Each state turned about the axis until it is closest.
+        """Return each state turned about the axis until it is closest.
 
         The difference is then taken without cancellation.
         """
@@ -51,12 +50,12 @@ class Distance:
 
 def excursion(moving: Motion, distance: Callable[[Array], Array], rate: float, growth: float,
                size: float, share: int) -> float:
-    """The largest distance on the way.
+    """Return the largest distance on the way.
 
-    Over a period, with a closer and closer look at where it is largest.
+    Over a period it is found with a closer and closer look at where the distance is largest.
     """
     if moving.period is None:
-        # no motion of the linearised field: any time is as good
+        # the linearised field does not move: any time is as good
         rate = rate or 1.0
         longest = TURNED * 2 * math.pi / rate
         if growth > SLOW * rate:
@@ -75,12 +74,12 @@ def excursion(moving: Motion, distance: Callable[[Array], Array], rate: float, g
 
 
 def _afford(moving: Motion, longest: float, steps: int) -> None:
-    """Refuse a time that takes more steps of an integration, as its first ones tell.
+    """Refuse a time that takes too many steps of an integration, as its first ones tell.
 
     Raises
     ------
     AccuracyError
-        it does
+        the time takes more steps
     """
     time = longest * 2.0**-60
     while time < longest and moving.nodes < TRIED:

@@ -1,4 +1,4 @@
-"""Roll, pitch and yaw of a satellite against the frame of its orbit."""
+"""Roll, pitch and yaw of a satellite against the frame of its orbit, by the 3-2-1 sequence."""
 from collections.abc import Sequence
 
 import numpy as np
@@ -11,29 +11,29 @@ from ..mechanics.families.circular_orbit import axes_of
 
 @checked
 def roll_pitch_yaw(turns: Array, pointing: Sequence[int] = (1, 2, 3)) -> Array:
-    """The angles of a satellite against the axes t, n, r of its orbit.
+    """Return the angles of a satellite against the axes t, n, r of its orbit.
 
     From those the body is turned by yaw about r, then by pitch about its axis of pitch, then by roll about
-    its axis of roll; pitch is between −π/2 and π/2, at both ends roll is 0.
+    its axis of roll. Pitch is between −π/2 and π/2; at both ends roll is 0.
 
     Parameters
     ----------
     turns : array, shape (..., 3, 3)
         Motion.attitude: from the body to the axes r, t, n
     pointing : sequence of three int
-        the body axes along t, n and r where the angles are 0, as for earth_pointing
+        the body axes along t, n and r if the angles are 0, as for earth_pointing; default (1, 2, 3)
 
     Returns
     -------
     array, shape (..., 3)
-        [rad]
+        roll, pitch and yaw [rad]
 
     Raises
     ------
     EquilibriumError
         the axes are not three
     ValuesError
-        they are no rotations by their shape
+        the rotations have another shape
 
     References
     ----------
@@ -42,9 +42,12 @@ def roll_pitch_yaw(turns: Array, pointing: Sequence[int] = (1, 2, 3)) -> Array:
     Examples
     --------
     >>> import gyrostat as gs
-    >>> scene = gs.assemble(gs.Gyrostat((60, 70, 35), (0, 0, 0)), gs.circular_orbit(1))
-    >>> moving = gs.trajectories.motion(scene, gs.release(scene, ("5 deg", 0, 0)))
-    >>> gs.trajectories.roll_pitch_yaw(moving.attitude([0.0, 1.0])).round(4)
+    >>> body = gs.Gyrostat((60, 70, 35), (0, 0, 0))
+    >>> scene = gs.assemble(body, gs.circular_orbit(1))
+    >>> released = gs.release(scene, ("5 deg", 0, 0))
+    >>> moving = gs.trajectories.motion(scene, released)
+    >>> turns = moving.attitude([0.0, 1.0])
+    >>> gs.trajectories.roll_pitch_yaw(turns).round(4)
     array([[ 0.0873,  0.    ,  0.    ],
            [ 0.0062, -0.0018, -0.0209]])
     """

@@ -1,4 +1,4 @@
-"""Which model a scene moves in: exact where there is one, integrated and monitored where not."""
+"""Chooses the model in which a scene moves: an exact one if there is one, else one that is integrated."""
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from functools import lru_cache
@@ -28,24 +28,25 @@ MOST_DIGITS = 10_000
 @checked
 def motion(scene: System, state: Sequence[Any], values: Mapping[str, Any] | None = None, *,
            precision: int | None = None, tolerance: float | None = None) -> Motion:
-    """The motion of a scene from a state on, in the smallest model that has it.
+    """Return the motion of a scene from a state on, in the smallest model that has it.
 
-    A body of revolution in U(k3) by elliptic functions (U of degree at most 2) or by one spectral quadrature:
-    a state costs the same at any time; about any other axis it is recognised, and turned. A free gyrostat by
-    Jacobi's functions, or from one turn of its momentum, with a full tensor in its principal axes. Any other
-    scene is integrated, twice, and monitored.
+    A body of revolution in U(k3) moves by elliptic functions (U of degree at most 2) or by one spectral
+    quadrature: a state costs the same at any time. If its axis is another one, the body is recognised, and
+    the motion turned. A free gyrostat moves by Jacobi's functions, or from one turn of its momentum, with a
+    full tensor in its principal axes. Any other scene is integrated, twice, and monitored.
 
     Parameters
     ----------
     scene : System
     state : sequence, shape (n,)
-        at the time 0, exact numbers: momenta [M L²/T], then directions [1]; a float is what it is
+        at the time 0, exact numbers: momenta [M L²/T], then directions [1]; a float is the dyadic rational it
+        is
     values : mapping or None
-        of names in the scene to numbers
+        of names in the scene to numbers; default none
     precision : int or None
-        decimal digits; None: doubles. Of a scene that is integrated there are none
+        decimal digits; by default states are doubles. A scene that is integrated has no others
     tolerance : float or None
-        the error of the state that is accepted of an integration
+        the error of the state that is accepted in an integration; default 10⁻³
 
     Returns
     -------
@@ -62,15 +63,24 @@ def motion(scene: System, state: Sequence[Any], values: Mapping[str, Any] | None
     MissingExtraError
         a scene is to be integrated, and neither SciPy nor heyoka is installed
 
+    References
+    ----------
+    Klein & Sommerfeld, Theorie des Kreisels (1897-1910), chapters I and VI, for the top; Landau & Lifshitz,
+    Mechanics, §37, for the free body; Trefethen & Weideman, SIAM Review 56 (2014) 385-458, for quadratures;
+    Jorba & Zou, Experimental Mathematics 14 (2005) 99-117, for Taylor's method.
+
     Examples
     --------
     >>> import gyrostat as gs
     >>> import numpy as np
     >>> scene = gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
-    >>> top = gs.trajectories.motion(scene, ("0.3", "-0.2", "1.5", "0.6", 0, "0.8"),
-    ...                              {"I1": 1, "I3": "0.6", "l": "0.4", "m0": 1})
-    >>> top.route, round(top.period, 12), top(np.linspace(0, 1e6, 5)).shape
-    ('elliptic', 5.82463951502, (5, 6))
+    >>> state = ("0.3", "-0.2", "1.5", "0.6", 0, "0.8")
+    >>> numbers = {"I1": 1, "I3": "0.6", "l": "0.4", "m0": 1}
+    >>> top = gs.trajectories.motion(scene, state, numbers)
+    >>> top.route, round(top.period, 12)
+    ('elliptic', 5.82463951502)
+    >>> top(np.linspace(0, 1e6, 5)).shape
+    (5, 6)
     >>> max(top.drift(np.linspace(0, 1e12, 100)).values()) < 1e-14
     True
     """
@@ -90,7 +100,7 @@ def motion(scene: System, state: Sequence[Any], values: Mapping[str, Any] | None
 
 
 def _route(scene: System, point: tuple[Expr, ...], bits: int, tolerance: float | None) -> Route:
-    """What computes the motion."""
+    """Return the model that computes the motion."""
     if scene.kind is Kind.FREE:
         if isinstance(scene.body.inertia, ImmutableMatrix):
             return turned_free(scene, point)
@@ -98,21 +108,21 @@ def _route(scene: System, point: tuple[Expr, ...], bits: int, tolerance: float |
     if scene.kind is Kind.REVOLUTION and any(point[3:]):
         try:
             return AxialMotion(Level(scene, point), bits)
-        # towards a root of higher order, as a power of the time
+        # k3 tends to a root of higher order, as a power of the time: no elliptic function does
         except ScopeError:
             pass
-        except ResolutionError:                            # past a singularity of U
+        except ResolutionError:                            # a singularity of U is close to the motion
             if bits > 53:
                 raise
     elif any(point[3:]) and (found := of_revolution(scene, point)):
-        # it need not be exact: it can be integrated as it is
+        # if the exact model refuses it, the scene can be integrated as it is
         with suppress(AccuracyError, ScopeError, ValuesError):
             return turned_top(found, point, bits)
     return Integration(scene, point, tolerance)
 
 
 def with_numbers(scene: System, values: Mapping[str, Any]) -> System:
-    """The scene with numbers for its names."""
+    """Return the scene with numbers for its names."""
     free = free_names(scene)
     if scene.unspecified:
         raise ScopeError("U(k3) is unspecified: give it to axial_potential, a motion needs numbers")
@@ -125,7 +135,7 @@ def with_numbers(scene: System, values: Mapping[str, Any]) -> System:
 
 
 def free_names(scene: System) -> list[Symbol]:
-    """The names for which a motion needs numbers, in order."""
+    """Return the names for which a motion needs numbers, in order."""
     used = scene.hamiltonian.free_symbols.union(*(c.free_symbols for c in scene.space.casimirs))
     return sorted(used - set(scene.space.coordinates), key=str)
 

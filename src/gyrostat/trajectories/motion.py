@@ -1,4 +1,4 @@
-"""Motion: the state, attitude, periods and invariants of a scene at any time."""
+"""The motion of a scene: state, attitude, periods and invariants at any time."""
 from collections.abc import Sequence
 from typing import Any
 
@@ -21,23 +21,24 @@ class Motion:
     """The state of a scene at any time: call it with times.
 
     motion(t), t [T] of any shape, has the shape (..., n), in the order of scene.space.coordinates; in
-    doubles, or, with precision, of mpmath.mpf at exact numbers t. It is made by trajectories.motion.
+    doubles, or, with a precision, in mpmath.mpf at exact numbers t. It is made by trajectories.motion.
 
     Parameters
     ----------
     scene : System
-        with its numbers
+        at given numbers
     state : tuple of Expr
-        at the time 0
+        at the time 0, exact
     route : Route
         the model that computes it
     digits : int or None
-        decimal, asked for as precision; None: doubles
+        decimal digits, asked for as precision; None for doubles
 
     Examples
     --------
     >>> import gyrostat as gs
-    >>> turning = gs.trajectories.motion(gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 0))), (0, 0, 3))
+    >>> free = gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 0)))
+    >>> turning = gs.trajectories.motion(free, (0, 0, 3))
     >>> turning.route, turning(10.0)
     ('equilibrium', array([0., 0., 3.]))
     """
@@ -46,7 +47,7 @@ class Motion:
         self.scene, self.state, self._route, self._digits = scene, state, route, digits
 
     def __call__(self, t: Any) -> Array:
-        """The states at the times t [T], shape (..., n)."""
+        """Return the states at the times t [T], shape (..., n)."""
         if self._digits is None:
             return states_in_doubles(self._route, self._start, t)
         return states_in_digits(self._route, self.state, t, self._digits)
@@ -57,10 +58,10 @@ class Motion:
         return np.array([float(x) for x in self.state])
 
     def attitude(self, t: Any) -> Array:
-        """R from the body to space, x_space = R x_body, in doubles.
+        """Return R from the body to space, x_space = R x_body, in doubles.
 
-        The vertical is the direction of the field, k/abs(k) seen from the body; of a free body, that of M.
-        At the time 0 the Euler angle φ is 0, and ψ as well where sin θ = 0.
+        The vertical is the direction of the field, k/abs(k) seen from the body; for a free body, that of M.
+        At the time 0 the Euler angle φ is 0, and so is ψ if sin θ = 0.
 
         Parameters
         ----------
@@ -74,7 +75,7 @@ class Motion:
         return np.asarray(self._route.attitude(doubles(t, "the times")))
 
     def angles(self, t: Any) -> Array:
-        """Euler's angles φ, θ, ψ (z-x-z), φ and ψ between −π and π; where sin θ = 0, ψ = 0.
+        """Return Euler's angles φ, θ, ψ (z-x-z), φ and ψ between −π and π; if sin θ = 0, ψ = 0.
 
         Parameters
         ----------
@@ -88,8 +89,10 @@ class Motion:
         Examples
         --------
         >>> import gyrostat as gs
-        >>> top = gs.trajectories.motion(gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field()),
-        ...                              (0, 1, 5, 0, "0.6", "0.8"), {"I1": 1, "I3": 1, "l": 0, "m0": 1})
+        >>> scene = gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
+        >>> state, numbers = (0, 1, 5, 0, "0.6", "0.8"), {"I1": 1, "I3": 1}
+        >>> numbers |= {"l": 0, "m0": 1}
+        >>> top = gs.trajectories.motion(scene, state, numbers)
         >>> top.angles(0.0).round(6)
         array([0.      , 0.643501, 0.      ])
         """
@@ -97,21 +100,21 @@ class Motion:
 
     @property
     def route(self) -> str:
-        """Which model computes it.
+        """The name of the model that computes it.
 
-        "equilibrium", "steady precession", "elliptic", "quadrature", "separatrix", "free body", "free
+        It is "equilibrium", "steady precession", "elliptic", "quadrature", "separatrix", "free body", "free
         gyrostat", "heyoka" or "DOP853".
         """
         return self._route.name
 
     @property
     def period(self) -> Any:
-        """Of the nutation, or of the momentum in a free body [T], or None; with precision, mpmath.mpf."""
+        """The period of the nutation, or of the momentum in a free body [T], or None."""
         return period(self._route, self._digits)
 
     @property
     def precession(self) -> Any:
-        """Angle gained about the vertical in a period; None of a motion without one.
+        """The angle gained about the vertical in a period; None if there is no period.
 
         Over 2π it is the rotation number, a half of it the apsidal angle.
         """
@@ -119,61 +122,61 @@ class Motion:
 
     @property
     def spin(self) -> Any:
-        """Angle gained about the axis of a body of revolution in a period; None without one."""
+        """The angle gained about the axis of a body of revolution in a period; None without one."""
         return self._gained[1] if self._route.period else None
 
     @property
     def precession_rate(self) -> Any:
-        """Mean rate of the precession; on a separatrix, in which it ends [1/T]."""
+        """The mean rate of the precession; on a separatrix, that in which it ends [1/T]."""
         return rate(self._gained[0], self._route, self._digits)
 
     @property
     def spin_rate(self) -> Any:
-        """Mean rate of the spin about the axis of a body of revolution [1/T]."""
+        """The mean rate of the spin about the axis of a body of revolution [1/T]."""
         return rate(self._gained[1], self._route, self._digits)
 
     @property
     def _gained(self) -> tuple[Any, Any]:
-        """The angles of precession and spin, in a period, or in a unit of time where there is none."""
+        """The angles of precession and spin, in a period, or in a unit of time if there is none."""
         return gained(self._route, self._digits)
 
     @property
     def frequencies(self) -> dict[str, float]:
-        """2π/period, and the mean rates of precession and spin [1/T], as far as they exist."""
+        """The rates 2π/period, and the mean ones of precession and spin [1/T], as far as they exist."""
         return frequencies(self._route, self._gained)
 
     @property
     def limits(self) -> tuple[float, float] | None:
-        """Lowest and highest component of k along the axis of a body of revolution in a field, or None."""
+        """The lowest and highest component of k along the axis of a body of revolution, or None."""
         return self._route.limits
 
     @property
     def axis(self) -> Array:
-        """Of a body of revolution; else e3."""
+        """The axis of a body of revolution; for any other body e3."""
         return np.array(self._route.axis)
 
     @property
     def recognised(self) -> str:
-        """What the scene is, where it is not entered as a body of revolution in U(k3) but is one."""
+        """The sentence that says what the scene is, if it is a body of revolution in other axes; else ""."""
         return self._route.recognised
 
     @property
     def nodes(self) -> int:
-        """Of the quadrature, or steps of the integration."""
+        """The nodes of the quadrature, or steps of the integration."""
         return self._route.nodes
 
     @property
     def error(self) -> float:
-        """Of the state, estimated."""
+        """The error of the state, estimated."""
         return self._route.error
 
     @cached_property
     def note(self) -> str:
-        """What is unusual about the numbers, if anything."""
+        """A sentence on what is unusual about the numbers, if anything."""
         return state_note(self.scene, self.state)
 
     def __repr__(self) -> str:
-        """What is known of the motion, a line each."""
+        """Return what is known about the motion, a line each."""
         return summary(self._route, self._gained, self.note)
 
     @cached_property
@@ -184,7 +187,7 @@ class Motion:
 
     @property
     def energy(self) -> float:
-        """h at the time 0."""
+        """The value of h at the time 0."""
         return float(self.invariants["energy"])
 
     @property
@@ -198,7 +201,7 @@ class Motion:
         return tuple(float(value) for name, value in self.invariants.items() if name.startswith("F"))
 
     def drift(self, t: Any) -> dict[str, float]:
-        """How far the integrals are off at these times, at most, relative to the largest of their terms.
+        """Return how far the integrals are off at these times, at most, relative to their largest term.
 
         Parameters
         ----------
@@ -208,27 +211,27 @@ class Motion:
         Returns
         -------
         dict of str to float
-            of energy, the Casimirs C1, C2 and the integrals F1, …
+            for energy, the Casimirs C1, C2 and the integrals F1, …
         """
         return lost(self.scene, self.state, np.asarray(self(t), dtype=float))
 
     @property
     def attributes(self) -> dict[str, Any]:
-        """What is known of the motion, in doubles, and the numbers that it is of, exact, as texts."""
+        """What is known about the motion, in doubles, and its numbers, exact, as texts."""
         return attributes(self.scene, self.state, self._route, self.energy, self.note)
 
     @checked
     def to_xarray(self, t: Any, pointing: Sequence[int] = (1, 2, 3)) -> Any:
-        """The motion as an xarray.Dataset.
+        """Return the motion as an xarray.Dataset.
 
-        State, ω, quaternion, Euler's angles or in orbit roll, pitch, yaw, with units; else as attributes.
+        It has state, ω, quaternion, Euler's angles or in orbit roll, pitch, yaw; the rest are attributes.
 
         Parameters
         ----------
         t : array-like, shape (times,)
             [T]
         pointing : sequence of three int
-            in orbit: the body axes of roll, pitch and yaw
+            in an orbit, the body axes of roll, pitch and yaw; default (1, 2, 3)
 
         Returns
         -------

@@ -1,4 +1,4 @@
-"""Times of any length: periods and turns in two doubles, so that nothing grows with the number of periods."""
+"""Reduces times of any length by periods and turns in two doubles: no error grows with their number."""
 import numpy as np
 from flint import arb
 
@@ -7,12 +7,12 @@ from ..algebra.enclosures.floats import Array
 from ..algebra.enclosures.precision import own_precision
 from ..errors import AccuracyError, ValuesError
 
-# periods: their number is exact, and so is their product with a turn, mod 1
+# the most periods: their number is exact in doubles, and so is its product with a turn, mod 1
 LONGEST = 2.0**49
 
 
 def pair(x: arb) -> Twofold:
-    """The two doubles nearest to the middle of an enclosure, one after the other.
+    """Return the two doubles nearest to the middle of an enclosure, one after the other.
 
     Examples
     --------
@@ -25,12 +25,12 @@ def pair(x: arb) -> Twofold:
 
 
 def double(x: arb) -> float:
-    """The middle of an enclosure, correctly rounded; float(arb) truncates.
+    """Return the middle of an enclosure, correctly rounded; float(arb) truncates.
 
     Raises
     ------
     AccuracyError
-        it encloses nothing: it is not finite
+        the enclosure is not finite, or beyond doubles
     """
     if not x.is_finite():
         raise AccuracyError("a constant of the motion is not enclosed at this precision: ask for fewer "
@@ -44,7 +44,7 @@ def double(x: arb) -> float:
 
 
 def reduced(t: Array, period: Twofold) -> tuple[Array, Array]:
-    """(n, r) with t = n · period + r, abs(r) at most half a period, to the last bits of r.
+    """Return (n, r) with t = n · period + r, abs(r) at most half a period, to the last bits of r.
 
     Raises
     ------
@@ -69,7 +69,7 @@ def reduced(t: Array, period: Twofold) -> tuple[Array, Array]:
 
 
 def turns(x: Array, delta: Twofold) -> Array:
-    """x · delta mod 1, between −1/2 and 1/2."""
+    """Return x · delta mod 1, between −1/2 and 1/2."""
     whole, rest = scaled(x, delta)
     part = (whole - np.rint(whole)) + rest
     return part - np.rint(part)

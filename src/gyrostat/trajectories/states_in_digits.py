@@ -1,4 +1,4 @@
-"""States at times: in doubles, or in as many digits as are asked for, from enclosures that know them."""
+"""States at times in doubles, or in as many digits as are asked for, from enclosures that know them."""
 from collections.abc import Sequence
 from typing import Any
 
@@ -16,18 +16,18 @@ from .route import Route
 
 
 def bits_of(digits: int) -> int:
-    """Bits for so many decimal digits."""
+    """Return the bits for so many decimal digits."""
     return int(3.33 * digits) + 8
 
 
 def in_digits(x: arb, digits: int) -> mpmath.mpf:
-    """The middle of an enclosure to so many digits."""
+    """Return the middle of an enclosure to so many digits."""
     mantissa, exponent = map(int, x.mid().man_exp())
     return mpmath.mpf((mantissa, exponent), dps=digits)
 
 
 def states_in_doubles(route: Route, start: Array, t: Any) -> Array:
-    """The states at times of any shape; at the time 0 as it was given."""
+    """Return the states at times of any shape; at the time 0 as it was given."""
     times = doubles(t, "the times")
     states = route.state(times)
     if not times.all():
@@ -36,7 +36,7 @@ def states_in_doubles(route: Route, start: Array, t: Any) -> Array:
 
 
 def states_in_digits(route: Route, start: Sequence[Expr], t: Any, digits: int) -> Array:
-    """The states at exact times of any shape, of mpmath.mpf; at the time 0 as it was given.
+    """Return the states at exact times of any shape, of mpmath.mpf; at the time 0 as it was given.
 
     Raises
     ------
@@ -59,7 +59,7 @@ def states_in_digits(route: Route, start: Sequence[Expr], t: Any, digits: int) -
 
 
 def _known(state: Sequence[arb], digits: int) -> bool:
-    """Whether every number is enclosed to so many digits of the largest, or of 1."""
+    """Tell whether every number is enclosed to so many digits of the largest, or of 1."""
     with own_precision(64):
         allowed = max([abs(x) for x in state] + [arb(1)], key=arb.mid) * arb(10) ** -digits
         return all(x.is_finite() and x.rad() <= allowed for x in state)

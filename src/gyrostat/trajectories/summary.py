@@ -1,4 +1,4 @@
-"""What is known of a motion: what it conserves, its period and mean rates, as lines and as attributes."""
+"""Says what is known about a motion: what it conserves, its period and mean rates."""
 from collections.abc import Sequence
 from typing import Any
 
@@ -15,7 +15,10 @@ from .states_in_digits import bits_of, in_digits
 
 
 def conserved(scene: System, state: Sequence[Expr]) -> dict[str, Expr]:
-    """Functions of the coordinates: energy, the Casimirs C1, C2 and the integrals F1, F2 of its level."""
+    """Return what is conserved as functions of the coordinates, by name.
+
+    They are the energy, the Casimirs C1, C2 and the integrals F1, F2 of the level of the state.
+    """
     found = {"energy": scene.hamiltonian}
     for letter, functions in (("C", scene.space.casimirs), ("F", scene.integrals_at(state))):
         found |= {f"{letter}{i}": function for i, function in enumerate(functions, 1)}
@@ -23,16 +26,20 @@ def conserved(scene: System, state: Sequence[Expr]) -> dict[str, Expr]:
 
 
 def lost(scene: System, state: Sequence[Expr], states: Array) -> dict[str, float]:
-    """How far each conserved function is off at most from that of the first state, over its largest term.
+    """Return how far each conserved function is off at most, over its largest term at the first state.
 
     Parameters
     ----------
     scene : System
-        with its numbers
+        at given numbers
     state : sequence of n Expr
         exact
     states : array, shape (..., n)
         in doubles
+
+    Returns
+    -------
+    dict of str to float
     """
     coordinates, found = scene.space.coordinates, {}
     values = dict(zip(coordinates, np.moveaxis(states, -1, 0)))
@@ -46,7 +53,7 @@ def lost(scene: System, state: Sequence[Expr], states: Array) -> dict[str, float
 
 
 def period(route: Route, digits: int | None) -> Any:
-    """Of the nutation, or of the momentum in a free body [T]; None where there is none."""
+    """Return the period of the nutation, or of the momentum in a free body [T]; None if there is none."""
     if digits is None:
         return route.period
     found = route.exact_period(bits_of(digits))
@@ -54,7 +61,7 @@ def period(route: Route, digits: int | None) -> Any:
 
 
 def gained(route: Route, digits: int | None) -> tuple[Any, Any]:
-    """The angles of precession and spin, in a period, or in a unit of time where there is none."""
+    """Return the angles of precession and spin, in a period, or in a unit of time if there is none."""
     if digits is None:
         return route.precession, route.spin
     precession, spin = (in_digits(x, digits) if isinstance(x, arb) else x
@@ -63,7 +70,7 @@ def gained(route: Route, digits: int | None) -> tuple[Any, Any]:
 
 
 def rate(angle: Any, route: Route, digits: int | None) -> Any:
-    """An angle gained, by the time in which it is."""
+    """Return the mean rate of an angle gained."""
     if angle is None or not route.period:
         return angle
     if digits is None:
@@ -73,7 +80,7 @@ def rate(angle: Any, route: Route, digits: int | None) -> Any:
 
 
 def frequencies(route: Route, angles: tuple[Any, Any]) -> dict[str, float]:
-    """2π/period, and the mean rates of the angles gained [1/T], as far as they exist."""
+    """Return 2π/period, and the mean rates of the angles gained [1/T], as far as they exist."""
     cycle = route.period
     rates = {name: float(angle) / (cycle or 1.0)
              for name, angle in zip(("precession", "spin"), angles) if angle is not None}
@@ -81,7 +88,7 @@ def frequencies(route: Route, angles: tuple[Any, Any]) -> dict[str, float]:
 
 
 def summary(route: Route, angles: tuple[Any, Any], note: str) -> str:
-    """What is known of a motion, a line each."""
+    """Return what is known about a motion, a line each."""
     each = "in a period" if route.period else "per unit of time"
     lines = [f"Motion: {route.name}"]
     if route.period:
@@ -99,7 +106,7 @@ def summary(route: Route, angles: tuple[Any, Any], note: str) -> str:
 
 def attributes(scene: System, state: Sequence[Expr], route: Route, energy: float,
                note: str) -> dict[str, Any]:
-    """What is known of a motion, in doubles, and the numbers that it is of, exact, as texts."""
+    """Return what is known about a motion, in doubles, and its numbers, exact, as texts."""
     body, potential = scene.body, scene.potential
     known = {"note": note or None, "route": route.name, "period": route.period,
              "precession": route.precession, "spin": route.spin, "energy": energy,

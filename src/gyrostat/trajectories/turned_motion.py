@@ -1,4 +1,4 @@
-"""Motions in any axes: of a body of revolution, or a free body, in its own axes, turned."""
+"""Turns motions into other axes: those of a body of revolution, or of a free body, in its own axes."""
 from collections.abc import Sequence
 
 import numpy as np
@@ -20,26 +20,27 @@ from .periods import double
 from .top.level import Level
 from .top.top_motion import AxialMotion
 
-GUARD = 32                                             # bits of the rotation beyond those of the motion
+GUARD = 32                                             # more bits for the rotation than for the motion
 
 
 class TurnedMotion:
-    """A body of revolution about another axis than the third, or a free one whose axes are not principal, a
-    route of gyrostat.trajectories.motion.
+    """A motion in axes that are not the standard ones, as a route of gyrostat.trajectories.motion.
 
-    x = Rᵀ x' for π and k, with R the rotation to the standard scene; body to space, the rotation is that of
-        the standard scene times R,
-    turned about the vertical to φ = 0 at t = 0. Period, gains and limits are those of the standard scene.
+    The body is one of revolution about another axis than the third, or a free one in axes that are not
+    principal. x = Rᵀ x' for π and k, with R the rotation to the standard scene. The rotation from body to
+    space is that of the standard scene times R, turned about the vertical so that φ = 0 at t = 0. Period,
+    gains and limits are those of the standard scene.
 
     Parameters
     ----------
     standard : AxialMotion or FreeMotion
+        the motion in the standard scene
     R : ImmutableMatrix, shape (3, 3)
         the rotation to its axes, exact
     precision : int
         bits of the states in balls
     recognised : str
-        what the scene is; "" of a free body
+        what the scene is; "" for a free body
     """
 
     enclosed = True
@@ -55,16 +56,16 @@ class TurnedMotion:
         self._upright = np.array([[c, s, 0.0], [-s, c, 0.0], [0.0, 0.0, 1.0]])
 
     def state(self, t: Array) -> Array:
-        """(π, k) at times of any shape, shape (..., 6)."""
+        """Return (π, k) at times of any shape, shape (..., 6)."""
         x = self._standard.state(t)
         return (x.reshape(*x.shape[:-1], -1, 3) @ self._R).reshape(x.shape)
 
     def attitude(self, t: Array) -> Array:
-        """R from body to space, shape (..., 3, 3)."""
+        """Return R from body to space, shape (..., 3, 3)."""
         return self._upright @ self._standard.attitude(t) @ self._R
 
     def ball_state(self, t: arb, bits: int) -> list[arb]:
-        """(π, k) at a time, to as many bits as the motion was built for."""
+        """Return (π, k) at a time, to as many bits as the motion was built for."""
         x = self._standard.ball_state(t, bits)
         precision = max(bits, self._precision) + GUARD
         entries = [[ball(entry, precision) for entry in row] for row in self._exact.T.tolist()]
@@ -73,46 +74,46 @@ class TurnedMotion:
                     for row in entries]
 
     def exact_period(self, bits: int) -> arb | None:
-        """Of the nutation, as exact as the motion was built."""
+        """Return the period of the nutation, as exact as the motion was built."""
         return self._standard.exact_period(bits)
 
     def exact_angles(self, bits: int) -> tuple[arb, arb]:
-        """What precession and spin say, as exact as the motion was built."""
+        """Return what precession and spin say, as exact as the motion was built."""
         return self._standard.exact_angles(bits)
 
     @property
     def period(self) -> float | None:
-        """Of the nutation [T]; None at rest and on a separatrix."""
+        """The period of the nutation [T]; None at rest and on a separatrix."""
         return self._standard.period
 
     @property
     def precession(self) -> float | None:
-        """What the axis gains about the vertical in a period, or its rate."""
+        """The angle that the axis gains about the vertical in a period, or its rate."""
         return self._standard.precession
 
     @property
     def spin(self) -> float | None:
-        """What the body gains about its axis in a period, or its rate; None of a free body."""
+        """The angle that the body gains about its axis in a period, or its rate; None for a free body."""
         return self._standard.spin
 
     @property
     def limits(self) -> tuple[float, float] | None:
-        """Lowest and highest component of k along the axis; None of a free body."""
+        """The lowest and highest component of k along the axis; None for a free body."""
         return self._standard.limits
 
     @property
     def nodes(self) -> int:
-        """Values of the integrands that were taken."""
+        """The number of values of the integrands that were taken."""
         return self._standard.nodes
 
     @property
     def error(self) -> float:
-        """Of a state in doubles, estimated: that of the standard scene, and the rounding of the turn."""
+        """The error of a state in doubles, estimated: twice that of the standard scene, for the turn."""
         return 2 * self._standard.error
 
 
 def turned_top(found: Recognition, state: Sequence[Expr], bits: int) -> TurnedMotion:
-    """The motion of a scene that was recognised from a state on, of which abs(k) > 0."""
+    """Return the motion of a scene that was recognised from a state on, with abs(k) > 0."""
     R = found.rotation
     turned = [lowest(sum(R[i, j] * v[j] for j in range(3))) for v in (state[:3], state[3:]) for i in range(3)]
     standard = AxialMotion(Level(found.standard, tuple(turned)), bits)
@@ -120,12 +121,12 @@ def turned_top(found: Recognition, state: Sequence[Expr], bits: int) -> TurnedMo
 
 
 def turned_free(scene: System, state: Sequence[Expr]) -> TurnedMotion:
-    """The motion of a free body whose tensor is given in any axes, in principal ones."""
+    """Return the motion of a free body whose tensor is given in any axes, in principal ones."""
     body, R = principal_axes(scene.body)
     return TurnedMotion(FreeMotion(assemble(body), list(R * Matrix(state))), R, CONSTANT)
 
 
 def of_revolution(scene: System, state: Sequence[Expr]) -> Recognition | None:
-    """What a scene in numbers is on the sphere of k on which a state moves."""
+    """Return what a scene in numbers is on the sphere of k on which a state moves."""
     square = sum(x**2 for x in state[3:])
     return recognise(scene, lowest(square) if is_algebraic(square) else trigsimp(square))

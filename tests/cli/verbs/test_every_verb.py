@@ -34,7 +34,8 @@ def test_report_of_any_field(capsys):
 def test_rumiantsev(capsys):
     """The heavy gyrostat in the rate ω3, as Rumiantsev wrote it, and the Newtonian field."""
     _, out, _ = run(capsys, "--potential", "m0*k3", "--equilibrium", "E1", *TOP, "--set", "omega3_0=1.3")
-    assert "(I₃ ω₃⁰ + l)² > 4 I₁ m₀" in out and "Verdict: Lyapunov stable" in out and "E2" not in out
+    assert "(I₃ ω₃⁰ + l)² > 4 I₁ m₀" in out and "E2" not in out
+    assert out.startswith("Verdicts at these numbers\n")
     assert "(I₃ ω₃⁰ + l)² − 4 I₁ m₀ = 204/625\n" in out
     _, out, _ = run(capsys, "--potential", "m0*k3 + m1/2*(I3 - I1)*k3**2", "--equilibrium", "E3")
     assert "k₃ = (ω l − m₀)/((ω² − m₁) (I₁ − I₃))" in out
@@ -46,7 +47,7 @@ def test_an_unstable_body_is_an_answer(capsys, spin, verdict):
     """Exit status 0 whatever the verdict."""
     status, out, _ = run(capsys, "--potential", "m0*k3", "--equilibrium", "E1", *TOP, "--set",
                          f"omega3_0={spin}")
-    assert status == 0 and f"Verdict: {verdict}" in out
+    assert status == 0 and f"\n  E1: {verdict}; " in out
 
 
 def test_json(capsys):
@@ -74,7 +75,7 @@ def test_the_tilt_is_solved_where_l_is_given(capsys):
     status, out, _ = run(capsys, *heavy, *(f"--set={s}"
                                            for s in ("I1=2", "I3=1", "l=1", "m0=1/2", "m1=1/4", "omega=1")))
     assert status == 0
-    assert "Verdict: Lyapunov stable modulo the flow of π₃" in out
+    assert "E3: Lyapunov stable modulo the flow of π₃" in out
     assert "At rest" not in out
     assert "at rest" not in out
     assert "E3 at rest" in run(capsys, *heavy)[1]
@@ -219,3 +220,13 @@ def test_a_family_is_one_entry(capsys, asleep):
         assert Scene({"potential": "U(k3)", "equilibrium": "E5"}).equilibrium
     with pytest.raises(ValuesError, match="name E1, E2, E3, permanent-rotation or E4"):
         report_for("chart", Asked().of_body(()), None, {})
+
+
+def test_the_answer_comes_first_and_what_adds_nothing_last(capsys):
+    """The verdicts before the scene; in each equilibrium the identities of dropped conditions at its end."""
+    _, out, _ = run(capsys, "--potential", "m0*k3", *TOP, "--set", "pi3_0=3")
+    assert out.index("E1: Lyapunov stable") < out.index("E2: Lyapunov stable") < out.index("Scene\n═")
+    for verb in ("report", "conditions"):
+        _, out, _ = run(capsys, "--equilibrium", "E1", verb=verb)
+        assert out.count("adds nothing to the necessary condition") == 1
+        assert out.index("Under internal damping") < out.index("adds nothing")

@@ -150,6 +150,7 @@ def _parts(ask: Verdicts, points: Array, good: Array, bad: Array) -> Array:
 
     The sides are a few units of the last place away.
     """
+    # a vertex is within two units of the zero: four units away its sign is that of the side
     seen = [ask(*points)]
     for side in (good, bad):
         step = np.minimum(4 * np.spacing(np.abs(points)), np.abs(side - points))

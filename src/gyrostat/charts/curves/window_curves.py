@@ -140,6 +140,7 @@ def _near_zero(plane: Plane, good: Array, bad: Array) -> Array:
     for step in range(STEPS):
         following = (t + s)[left] / 2 if step % 3 == 2 else (t - value * (t - s) / (value - old))[left]
         here = _product(plane, good[:, left] + (bad - good)[:, left] * following)
+        # the value of an end that stays is halved, or false position would creep (Illinois)
         turned, moved = here * value[left] < 0, abs(following - t[left])
         s[left], old[left] = np.where(turned, t[left], s[left]), np.where(turned, value[left], old[left] / 2)
         t[left], value[left] = following, here

@@ -76,7 +76,7 @@ class BallArray:
         return self * (1 / _ball(other))
 
     def __rtruediv__(self, other: Any) -> "BallArray":
-        size = abs(self.middle) * (1 - SUM)
+        size = abs(self.middle) * (1 - SUM)                # rounded down: abs of a complex number is inexact
         apart = size - self.radius
         with np.errstate(all="ignore"):
             middle = 1 / self.middle

@@ -1,4 +1,7 @@
-"""Proves signs of polynomials at many doubles at once: a double is a whole number times a power of 2."""
+"""Proves signs of polynomials at many doubles at once: a double is a whole number times a power of 2.
+
+Whole numbers are taken modulo 2⁶⁴ first, then in any length.
+"""
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
@@ -76,6 +79,7 @@ def dyadic_signs(program: Program, leaves: Mapping[Expr, Array], most: Array) ->
     exact = {leaf: dyadics(x) for leaf, x in leaves.items()}
     last = _run(program, exact, np.uint64)
     signs = np.broadcast_to(np.sign(last.whole.view(np.int64)), most.shape).astype(np.int8)
+    # a whole number below 2⁶² is its residue, read as a signed word
     with np.errstate(over="ignore"):
         found, short = (most < np.ldexp(1.0, last.power + bits) for bits in (WORD - 2, LONGEST))
     left = np.flatnonzero(short & ~found)

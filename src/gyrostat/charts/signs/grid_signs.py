@@ -117,6 +117,7 @@ class ArraySigns:
             rows, columns = (place[start:start + TOGETHER] for place in unsure)
             here = {leaf: gathered(a, rows, columns) for leaf, a in leaves.items()}
             found, bound = self._bounded(here, len(rows))
+            # there abs(computed) ≤ bound, so that the exact value is at most twice the bound
             left = np.flatnonzero(found == 0)
             if len(left) and self.whole_numbers:
                 found[left], known = dyadic_signs(program, {s: x[left] if len(x) > 1 else x

@@ -174,6 +174,7 @@ class _Writer:
         return places
 
     def _together(self, a: int, b: int) -> tuple[int, int]:
+        # few axes are worth most: such a step is done once for a row or a column; then many in common
         one, other = self.steps[a].axes, self.steps[b].axes
         return len(one | other), -len(one & other)
 

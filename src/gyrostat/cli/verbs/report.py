@@ -3,7 +3,7 @@ import argparse
 
 from ..._lazy import loaded
 from ...notation import symbol
-from ...printing.blocks import Block
+from ...printing.blocks import Block, Heading
 from ...printing.formats.text import text
 from ...printing.results.decision import damped_block, decision_blocks
 from ...printing.results.document import report_blocks, whole_blocks
@@ -29,23 +29,24 @@ def run(given: argparse.Namespace, out: Output) -> int:
         out(loaded("printing.formats.json_data:json_text")(found.data()))
         return 0
     after = [block for m in found.missing for block in m.blocks()]
-    decided = [_blocks(report, found.decisions.get(report.equilibrium.label)) for report in found.reports]
+    decided = [_blocks(report, found.decisions.get(label := report.equilibrium.label),
+                       "Verdict" if given.format == "latex" else label) for report in found.reports]
     if given.format == "latex":
         paper = loaded("cli.options.latex_options:paper_of")(given)
         article = loaded("printing.formats.article:" + ("document" if found.reports else "article"))
         out(article(found.reports, decided, paper, after) if found.reports
             else article(TITLE, whole_blocks(found.scene, after), paper))
     else:
-        blocks: list[Block] = []
-        for report, its in zip(found.reports, decided):
-            blocks += report_blocks(report) + its
-        out(text(whole_blocks(found.scene, blocks + after), out.width))
+        derived = [block for report in found.reports for block in report_blocks(report)]
+        verdicts: list[Block] = [Heading("Verdicts at these numbers")] if found.decisions else []
+        out(text([*verdicts, *(block for its in decided for block in its),
+                  *whole_blocks(found.scene, derived + after)], out.width))
     return 0
 
 
-def _blocks(report: Report, decisions: tuple[Decision, Decision] | None) -> list[Block]:
-    """The verdict, and what internal damping makes of it, where there are numbers."""
+def _blocks(report: Report, decisions: tuple[Decision, Decision] | None, of: str) -> list[Block]:
+    """The verdict, and what internal damping makes of it, if there are numbers."""
     if decisions is None:
         return []
     decision, damped = decisions
-    return [*decision_blocks(decision, report.equilibrium.at), damped_block(decision, damped)]
+    return [*decision_blocks(decision, report.equilibrium.at, of), damped_block(decision, damped)]

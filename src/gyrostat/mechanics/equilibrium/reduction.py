@@ -182,7 +182,7 @@ def reduce(scene: System) -> Reduction:
     References
     ----------
     Goldstein, Classical Mechanics, §5.7; for any U, Marsden & Ratiu, Introduction to Mechanics and Symmetry,
-    §15.10.
+    §15.10; derived in docs/explanation/derivations/boundaries.md, section 1.
 
     Examples
     --------

@@ -26,6 +26,8 @@ class Family:
         how it moves; "" if the label says so
     make : callable
         of a scene, and of what the family is made with
+    source : str
+        the paper, book or chapter that has the family; reports name it
     made_with : str
         the argument that its maker takes besides: "spin", "eliminate", "direction", "pointing", or "" for
         none
@@ -35,18 +37,17 @@ class Family:
         of the scenes in which it may be asked for
     asked_for : str
         what the command line and published files call it; "" if it is only found
-    source : str
     """
 
     label: str
     name: str
     title: str
     make: Callable[..., "Equilibrium"]
+    source: str
     made_with: str = ""
     pole: int = 0
     kinds: tuple[Kind, ...] = IN_A_FIELD
     asked_for: str = ""
-    source: str = "Vera & Viguera 2003, §3"
 
     @property
     def tilted(self) -> bool:

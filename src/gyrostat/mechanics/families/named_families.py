@@ -29,28 +29,29 @@ def _pointing(scene: Any, axes: Sequence[int] | None) -> "Equilibrium":
     return _made("circular_orbit", "earth_pointing", scene, *(axes or ()))
 
 
+VERA_VIGUERA = "Vera & Viguera 2003, §3"
 E1 = Family("E1", "upright", "spinning about the upward vertical", partial(_made, "vertical", "upright"),
-            "spin", 1, asked_for="E1")
+            VERA_VIGUERA, "spin", 1, asked_for="E1")
 E2 = Family("E2", "hanging", "spinning about the downward vertical", partial(_made, "vertical", "hanging"),
-            "spin", -1, asked_for="E2")
+            VERA_VIGUERA, "spin", -1, asked_for="E2")
 E3 = Family("E3", "inclined", "precessing about the vertical, inclined",
-            partial(_made, "tilted", "inclined"), "eliminate", asked_for="E3")
+            partial(_made, "tilted", "inclined"), VERA_VIGUERA, "eliminate", asked_for="E3")
 E3_AT_REST = Family("E3 at rest", "at rest at a tilt", "tilted, without rotation",
-                    partial(_made, "tilted", "static_tilt"), "eliminate")
+                    partial(_made, "tilted", "static_tilt"), VERA_VIGUERA, "eliminate")
 PRINCIPAL = tuple(Family(f"rotation about axis {n}", "principal rotation", "",
                          partial(_made, "principal_rotation", "principal_rotation", axis=n),
-                         kinds=(Kind.FREE,),
-                         asked_for=f"axis {n}", source="Hughes 1986, chapter 6") for n in (1, 2, 3))
+                         "Hughes 1986, chapter 6", kinds=(Kind.FREE,), asked_for=f"axis {n}")
+                  for n in (1, 2, 3))
 PERMANENT = Family("permanent rotation", "permanent-rotation",
                    "turning about the vertical, k fixed in the body",
-                   partial(_made, "permanent_rotation", "permanent_rotation"), "direction",
-                   asked_for="permanent-rotation", source="Staude 1894")
+                   partial(_made, "permanent_rotation", "permanent_rotation"), "Staude 1894", "direction",
+                   asked_for="permanent-rotation")
 EARTH_POINTING = Family("Earth-pointing", "earth-pointing", "at rest in the frame of the orbit", _pointing,
-                        "pointing", kinds=(Kind.ORBIT,), asked_for="earth-pointing",
-                        source="Hughes 1986, chapters 9 and 10")
+                        "Hughes 1986, chapters 9 and 10", "pointing", kinds=(Kind.ORBIT,),
+                        asked_for="earth-pointing")
 PRECESSIONS = tuple(Family(kind, kind, f"the axis {place}", partial(
-    _made, "orbital_precession", "orbital_precession", kind=kind), kinds=(Kind.ORBIT,), asked_for=kind,
-    source="Likins 1965") for kind, place in (
+    _made, "orbital_precession", "orbital_precession", kind=kind), "Likins 1965", kinds=(Kind.ORBIT,),
+    asked_for=kind) for kind, place in (
         ("cylindrical", "along the normal of the orbit"),
         ("hyperbolic", "in the plane of the normal and the velocity"),
         ("conical", "in the plane of the normal and the vertical")))

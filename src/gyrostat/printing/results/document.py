@@ -20,7 +20,7 @@ from ..glossary import term_blocks
 from ..letters import letter, letters_of, word
 from ..nomenclature import occurring, symbol_rows
 from .boundary import boundary_blocks
-from .inequalities import criterion_blocks, existence, integral_blocks, polynomial_of
+from .inequalities import criterion_blocks, existence, implied_blocks, integral_blocks, polynomial_of
 from .rotations import (
     definition_blocks,
     family_blocks,
@@ -45,22 +45,22 @@ def whole_blocks(scene: System, found: Sequence[Block]) -> list[Block]:
 
 def conditions_blocks(report: Report) -> list[Block]:
     """The conditions of one equilibrium, without the way to them."""
-    eq, letters = report.equilibrium, letters_of(report.equilibrium.system)
+    eq = report.equilibrium
     exists = [existence(d, eq.at) for d in eq.existence() if d.free_symbols]
     if exists:
         exists = [sentence("It exists if:"), *exists]
     return [Heading(title_of(eq)), *tilt_blocks(eq), *family_blocks(eq), *exists,
-            *criterion_blocks("Necessary", report.necessary, eq.at, "necessary", letters),
-            *criterion_blocks("Sufficient", report.sufficient, eq.at, "sufficient", letters),
+            *criterion_blocks("Necessary", report.necessary, eq.at, "necessary"),
+            *criterion_blocks("Sufficient", report.sufficient, eq.at, "sufficient"),
             *integral_blocks(report),
             *boundary_blocks(report),
-            *criterion_blocks("Under internal damping", report.damped, eq.at, "damped", letters),
-            *definition_blocks(report)]
+            *criterion_blocks("Under internal damping", report.damped, eq.at, "damped"),
+            *definition_blocks(report), *implied_blocks(report)]
 
 
 def report_blocks(report: Report) -> list[Block]:
     """One equilibrium: point, linearisation, polynomial, second variation, criteria."""
-    eq, letters = report.equilibrium, letters_of(report.equilibrium.system)
+    eq = report.equilibrium
     blocks: list[Block] = [Heading(title_of(eq), label=eq.label), *point_blocks(eq),
                            *parallel_blocks(report)]
     if report.closed is not None:
@@ -76,22 +76,22 @@ def report_blocks(report: Report) -> list[Block]:
         "Necessary: if a spectral condition fails, an eigenvalue has a positive real part, and the "
         "equilibrium is unstable (Lyapunov 1892). Sufficient: if the second variation is definite, the "
         f"equilibrium is Lyapunov stable (Holm, Marsden, Ratiu & Weinstein 1985).{modulo}")]
-    blocks += [*criterion_blocks("Necessary (spectral)", report.necessary, eq.at, "necessary", letters),
+    blocks += [*criterion_blocks("Necessary (spectral)", report.necessary, eq.at, "necessary"),
                *criterion_blocks("Sufficient (formal, hence Lyapunov)", report.sufficient, eq.at,
-                                 "sufficient", letters), *integral_blocks(report)]
+                                 "sufficient"), *integral_blocks(report)]
     if report.casimirs_only != report.sufficient:
         blocks += criterion_blocks("What the Casimirs alone would prove", report.casimirs_only, eq.at,
-                                   "casimirs-alone", letters)
+                                   "casimirs-alone")
     blocks += boundary_blocks(report)
     if report.boundary is not None and not report.boundary.pole:
         blocks += loaded("printing.results.drift:drift_blocks")(report)
-    blocks += criterion_blocks("Under internal damping (secular)", report.damped, eq.at, "damped", letters)
+    blocks += criterion_blocks("Under internal damping (secular)", report.damped, eq.at, "damped")
     return [*blocks, sentence(
         "Internal damping takes energy and keeps the Casimirs, as sloshing fuel or a nutation damper does; "
         "friction at a support is not of this kind. If the condition holds, the equilibrium is stable with "
         "damping and without. If it fails, the equilibrium is unstable with damping, except perhaps at "
         "equality, or if the damping does not reach every motion (Bloch, Krishnaprasad, Marsden & Ratiu "
-        "1994).")]
+        "1994)."), *implied_blocks(report)]
 
 
 def point_blocks(eq: Equilibrium) -> list[Block]:

@@ -1,6 +1,5 @@
 """Where an equilibrium exists, abs(k3) < 1, and its criteria, as comparisons."""
 import re
-from collections.abc import Iterable
 from dataclasses import replace
 from typing import Any
 
@@ -13,7 +12,7 @@ from ...stability.criteria.linearization import square_root
 from ...stability.notion import Notion
 from ...stability.report.report import Report
 from ..blocks import Block, Display, Word, modulo_flow, sentence
-from ..letters import letters_in, word
+from ..letters import letters_of, word
 from ..order import inequality
 
 
@@ -34,9 +33,8 @@ def existence(domain: Expr, at: Any) -> Display:
     return Display(Abs(-root if root.could_extract_minus_sign() else root, evaluate=False), S.One, at, "<")
 
 
-def criterion_blocks(title: str, criterion: Criterion, at: Any, label: str,
-                     letters: Letters | None = None) -> list[Block]:
-    """Each alternative as its comparisons, labelled; without letters those that its formulas leave."""
+def criterion_blocks(title: str, criterion: Criterion, at: Any, label: str) -> list[Block]:
+    """Each alternative as its comparisons, labelled."""
     if criterion.alternatives == () and criterion.necessary:
         return [sentence(f"{title}: never.")]
     if criterion.alternatives == ():
@@ -49,8 +47,7 @@ def criterion_blocks(title: str, criterion: Criterion, at: Any, label: str,
     for alternative in criterion.alternatives:
         blocks.append(sentence("or") if blocks else sentence(title, *modulo, ":"))
         blocks += _alternative(alternative, at, label)
-    conditions = [c for alternative in criterion.alternatives for c in alternative]
-    return blocks + _implied(conditions, at, letters or letters_in(c.margin for c in conditions))
+    return blocks
 
 
 def integral_blocks(report: Report) -> list[Block]:
@@ -79,16 +76,22 @@ def _alternative(alternative: tuple[Condition, ...], at: Any, label: str) -> lis
     return blocks
 
 
-def _implied(conditions: Iterable[Condition], at: Any, letters: Letters) -> list[Block]:
-    """What is left out because the other conditions imply it, with the identity that shows it."""
-    blocks: list[Block] = []
-    for proof in (p for c in conditions for p in c.implies):
-        name = source_word(proof.source, letters)
-        factor = () if proof.factor == 1 else (readable(proof.factor), " ")
-        identity = readable(proof.square), " + ", *factor, "(", readable(proof.by), ")"
-        of = (", in ", polynomial_of(letters), ",") if "p" in proof.source else ()
-        blocks.append(sentence("The condition on ", name, *of, " adds nothing: up to a positive factor it ",
-                               "is ", *identity, ".", at=at))
+def implied_blocks(report: Report) -> list[Block]:
+    """What the criteria of a report leave out because their other conditions imply it, with the identity."""
+    eq, letters, blocks = report.equilibrium, letters_of(report.equilibrium.system), list[Block]()
+    criteria = {"the necessary condition": report.necessary, "the sufficient condition": report.sufficient,
+                "that of the Casimirs alone": report.casimirs_only,
+                "that under internal damping": report.damped}
+    if report.casimirs_only == report.sufficient:
+        del criteria["that of the Casimirs alone"]
+    for name, criterion in criteria.items():
+        for proof in (p for alternative in criterion.alternatives for c in alternative for p in c.implies):
+            factor = () if proof.factor == 1 else (readable(proof.factor), " ")
+            of = (", in ", polynomial_of(letters), ",") if "p" in proof.source else ()
+            blocks.append(sentence(
+                "The condition on ", source_word(proof.source, letters), *of, f" adds nothing to {name}: up "
+                "to a positive factor it is ", readable(proof.square), " + ", *factor, "(",
+                readable(proof.by), ").", at=eq.at))
     return blocks
 
 

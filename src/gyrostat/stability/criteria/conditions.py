@@ -105,6 +105,10 @@ def independent(criterion: Criterion, eq: Equilibrium) -> Criterion:
     Criterion
         with what was dropped, and why, in Condition.implies
 
+    References
+    ----------
+    Derived: X > 0 follows from Y > 0 if X = S + T Y with T > 0 and S ≥ 0, an identity of polynomials.
+
     Examples
     --------
     >>> import gyrostat as gs

@@ -1,4 +1,4 @@
-"""The energy-Casimir method: multipliers, and the second variation on the symplectic slice."""
+"""The energy-Casimir method (Arnold): multipliers, and the second variation on the symplectic slice."""
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -121,6 +121,7 @@ def multipliers(eq: Equilibrium, functions: Sequence[Expr]) -> tuple[Expr, ...]:
     signs = signs_over(eq, [*(entry for column in columns for entry in column), *energy])
     ring = signs.ring
     rows = [ring.matrix([row])[0][0] for row in zip(*columns, energy)]
+    # pivots: the last functions first, of their entries one that vanishes nowhere, and then a short one
     solved = dict(row_reduce(ring, rows, lambda j, entry: (-j, not signs.nonzero(entry), len(entry)),
                              len(functions)))
     free = [j for j in range(len(functions)) if j not in solved]

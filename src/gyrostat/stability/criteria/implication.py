@@ -61,6 +61,7 @@ def _decided(items: Iterable[Item], signs: Signs) -> list[Item] | None:
     left: list[Item] = []
     for item in items:
         sign = signs.of(item.margin)
+        # an even factor may make a strict condition with a positive margin fail, or a non-strict one hold
         if sign is None or item.degenerate and (sign > 0) == item.strict and sign:
             if item not in left:
                 left.append(item)

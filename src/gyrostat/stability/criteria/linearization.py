@@ -1,4 +1,7 @@
-"""The linearised field on the coadjoint orbit, its characteristic polynomial and eigenvalues."""
+"""The linearised field on the coadjoint orbit, its characteristic polynomial and eigenvalues.
+
+On the orbit the field is Hamiltonian, so that the polynomial is one in λ²; its roots are in closed form.
+"""
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -34,6 +37,10 @@ class Linearization(Shown, Stored):
         its columns span T
     matrix : ImmutableMatrix, shape (d, d)
         J on T in that basis [1/T]
+
+    References
+    ----------
+    Vera & Viguera (2003), §4.1.1 and §5.
 
     Examples
     --------

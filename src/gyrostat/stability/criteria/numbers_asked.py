@@ -228,7 +228,7 @@ def names_accepted(eq: Equilibrium, required: Sequence[str]) -> tuple[str, ...]:
 
 
 def names_of_motion(eq: Equilibrium) -> tuple[str, ...]:
-    """Return the names that the motion near an equilibrium depends on, but for those that others express."""
+    """Return the names that the motion near an equilibrium depends on, without those that others express."""
     known = {name.name for name, _ in eq.relations}
     return tuple(name for name in names_accepted(eq, ()) if name not in known)
 

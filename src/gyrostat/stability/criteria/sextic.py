@@ -29,6 +29,7 @@ def factors_in_squares(coefficients: Sequence[Expr]) -> list[tuple[Expr, ...]]:
     _, found = ring.fraction(whole)[0].factor()
     split = [(by_degree(factor, index, degree), times) for factor, times in found
              if (degree := factor.degrees()[index])]
+    # a factor is known up to its sign: the leading coefficient is made positive, as denominators are
     return [tuple(ring.expression(c * (1 if parts[-1].leading_coefficient() > 0 else -1))
                   for c in reversed(parts)) for parts, times in split for _ in range(times)]
 

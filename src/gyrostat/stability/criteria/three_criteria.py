@@ -103,9 +103,10 @@ def formal_criterion(variation: SecondVariation) -> Criterion:
     >>> gs.derivation.formal_criterion(variation).alternatives[0][0].margin
     -4*I1*dU + l**2 + 2*l*pi3_0 + pi3_0**2
     """
-    if invariants := _on_sphere(variation):
+    if invariants := _on_sphere(variation):                # two by two: definite iff its determinant is > 0
         signs = signs_over(variation.equilibrium, invariants)
         return _definite(variation, Notion.FORMAL, _minors([(2, invariants[1])]), signs, (1,))
+    # beside a positive form of velocities or momenta only a minimum is definite
     if found := across(variation) or of_stiffness(variation):
         return _definite(variation, Notion.FORMAL, found, _signs(variation, found), (1,))
     # one multiplier is eliminated, any value of the others may be chosen
@@ -235,7 +236,7 @@ def _definite(variation: SecondVariation, notion: Notion, minors: Sequence[Minor
     ring = signs.ring
     fractions = [(name, n, ring.fraction(minor)) for name, n, minor in minors]
     alternatives: list[list[Item]] = []
-    for s in allowed:
+    for s in allowed:                                      # negative definite: odd minors are negative
         items = [Item(*signs.split(s**n * top, bottom), True, name) for name, n, (top, bottom) in fractions]
         conjunction = reduced(items, signs)
         if conjunction is not None:

@@ -90,6 +90,7 @@ def _counted(Q: Matrix, J: Matrix, rate: Matrix) -> Growing:
     negative, kept = negative_squares(beyond), negative_squares(on)
     if negative:
         return Growing(True, negative if splits and kept in (0, rank(on)) else None)
+    # undamped on N, a regular J with an odd number of negative squares has a positive eigenvalue
     odd = not degenerate and negative_squares(Q) % 2
     gyroscopic = splits and kept % 2 and rank(form_on(Q * J, unreached)) == rank(on)
     return Growing(True if odd or gyroscopic else None, None)

@@ -79,7 +79,7 @@ class Secular:
 
     @cached_property
     def standard(self) -> "Secular":
-        """The same for the equilibrium in the standard axes, if a body of revolution is recognised."""
+        """The second variation under damping in the standard axes, if a body of revolution is recognised."""
         known = seen(self.equilibrium)
         return secular_of(known.equilibrium) if known else self
 

@@ -47,6 +47,10 @@ class Window(Shown, Stored):
     at : Expr
         the k3 at which derivatives of U are taken
 
+    References
+    ----------
+    Arnold, Sov. Math. Dokl. 2 (1961) 247-249.
+
     Examples
     --------
     >>> import gyrostat as gs

@@ -44,6 +44,10 @@ class NormalForm(Shown, Stored):
     resonances : tuple of (int, int)
         m and n with m abs(ω1) = n abs(ω2) or n abs(ω1) = m abs(ω2), up to the degree
 
+    References
+    ----------
+    Birkhoff, Dynamical Systems (1927), chapter III; Arnold, Sov. Math. Dokl. 2 (1961) 247-249, for D4.
+
     Examples
     --------
     >>> import gyrostat as gs

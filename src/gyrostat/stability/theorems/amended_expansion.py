@@ -47,7 +47,8 @@ class Amended:
     ----------
     Simo, Lewis & Marsden, Arch. Rational Mech. Anal. 115 (1991) 15-59, for U_c; Chetaev, The Stability of
     Motion (1961), §17; Kozlov, J. Appl. Math. Mech. 50 (1986) 719-725, for a form that takes negative values
-    without being definite; Sokolskii, J. Appl. Math. Mech. 41 (1977) 20-28, for a zero frequency.
+    without being definite; Sokolskii, J. Appl. Math. Mech. 41 (1977) 20-28, for a zero frequency. An example:
+    docs/explanation/derivations/boundaries.md, section 7.
     """
 
     equilibrium: Equilibrium

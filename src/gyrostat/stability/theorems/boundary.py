@@ -67,8 +67,9 @@ class Boundary(Shown, Stored):
 
     References
     ----------
-    Derived. The first rung at E1: Lerman, arXiv:dg-ga/9608010; the sleeping top: Cushman & Bates, Global
-    Aspects of Classical Integrable Systems, chapter V.
+    Derived in docs/explanation/derivations/boundaries.md, sections 2 to 4. The first rung at E1: Lerman,
+    arXiv:dg-ga/9608010; the sleeping top: Cushman & Bates, Global Aspects of Classical Integrable Systems,
+    chapter V.
     """
 
     equilibrium: Equilibrium
@@ -91,6 +92,7 @@ class Boundary(Shown, Stored):
         ring = Ring([potential.expression, k3])
         if any(k3 in g.free_symbols for g in ring.generators if g != k3):
             return None
+        # g has two degrees more than U, from 1 − k3²: above them no coefficient is new
         place = ring.generators.index(k3)
         return 2 + max(int(part.degrees()[place]) for part in ring.fraction(potential.expression))
 

@@ -50,6 +50,7 @@ def _along_axis(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> Least:
 
     Its first term beside the point decides; at E1 and E2 it does so on the one side that there is.
     """
+    # at a pole x ≥ 0, and the first power may be any; elsewhere x has both signs, and it has to be even
     pole = eq.at**2 == 1
     for power, term in _expanded(eq, numbers):
         if power < (1 if pole else 2):

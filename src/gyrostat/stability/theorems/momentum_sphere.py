@@ -76,7 +76,7 @@ def extremum(body: Gyrostat, M: Sequence[Expr], nu: Expr) -> Extremum:
         return Extremum(None if None in minors else along, BY_DISTANCE)
     if None in signs:
         return Extremum(None, "a sign is not proved")
-    if not any(moved) and product == 1:
+    if not any(moved) and product == 1:                    # dⱼ and dₖ have one sign, that of the trace
         return Extremum(trace, TO_FOURTH_ORDER)
     return Extremum(0, NO_EXTREMUM)
 
@@ -111,7 +111,8 @@ class MomentumSphere:
 
     References
     ----------
-    Derived; the quadratic part, Hughes, Spacecraft Attitude Dynamics (1986), chapter 6.
+    Derived in docs/explanation/derivations/boundaries.md, section 6; the quadratic part, Hughes, Spacecraft
+    Attitude Dynamics (1986), chapter 6.
     """
 
     equilibrium: Equilibrium

@@ -1,6 +1,6 @@
 """The motion of a free gyrostat, momentum and attitude, at any time.
 
-Constants once in enclosures, then time mod the period.
+Its constants are computed once in enclosures; then times are reduced mod the period.
 """
 import math
 from collections.abc import Callable, Sequence
@@ -25,7 +25,7 @@ BLOCK = 16384                                              # times at once, so t
 
 
 def path_of(inertia: Triple, rotor: Triple, M: Triple) -> Steady | Polhode | RepeatedTurn:
-    """The motion of a gyrostat whose angular momentum is M at the time 0."""
+    """Return the motion of a gyrostat whose angular momentum is M at the time 0."""
     if uniform := steady(inertia, rotor, M):
         return uniform
     distinct = all(decided(inertia[i] - inertia[j], "a difference of moments")
@@ -36,34 +36,33 @@ def path_of(inertia: Triple, rotor: Triple, M: Triple) -> Steady | Polhode | Rep
 
 
 class FreeMotion:
-    """A free gyrostat from a state on.
+    """A free gyrostat from a state on: momentum and attitude at any time, M upwards in space.
 
-    The momentum to any number of periods, and the attitude, M upwards in space.
-
-    Uniform turning at rest, at a permanent rotation, and for bodies of revolution with l on the axis;
-    Jacobi's functions for a free body of three moments; else, and for the attitude of that, a turn by Taylor
-    series, repeated.
+    The motion is uniform at rest, at a permanent rotation, and for bodies of revolution with l on the axis.
+    The momentum of a free body with three different moments follows Jacobi's functions. Any other momentum,
+    and the attitude of that body, comes from one turn by Taylor series, which is repeated.
 
     Parameters
     ----------
     scene : System
-        without a potential, all numbers
+        without a potential, at given numbers
     start : (π1, π2, π3)
-        exact numbers
+        exact numbers [M L²/T]
 
     Raises
     ------
     ScopeError
         the scene has a potential
     ValuesError
-        it has symbols; or it is undecided which motion it is, of transcendental numbers
+        it has symbols; or which motion it is, is undecided, as its numbers are transcendental
     AccuracyError
         the motion is too close to a separatrix
 
     Examples
     --------
     >>> import gyrostat as gs
-    >>> motion = FreeMotion(gs.assemble(gs.Gyrostat((3, 5, 9), (0, 0, 0))), (0, 2, "0.01"))
+    >>> body = gs.assemble(gs.Gyrostat((3, 5, 9), (0, 0, 0)))
+    >>> motion = FreeMotion(body, (0, 2, "0.01"))
     >>> motion.name, round(motion.period / 4, 10)
     ('free body', 29.5277217616)
     """
@@ -89,38 +88,38 @@ class FreeMotion:
         self.size = math.hypot(*map(float, M)) + math.hypot(*map(float, self.rotor))
         self.fastest = self.size / min(map(float, moments))
         resting = isinstance(path, Steady) and path.about == 0
-        # what knows the attitude
+        # a polhode knows M alone; for the attitude a turn of it is integrated
         self.rotation = RepeatedTurn(moments, self.rotor, M, path) if isinstance(path, Polhode) else path
-        self.period = self.rotation.period                  # of M; None where it rests, and on a separatrix
+        self.period = self.rotation.period                  # of M; None if it rests, and on a separatrix
         self.name = "equilibrium" if resting else "free gyrostat" if any(self.rotor) else "free body"
 
     def __reduce__(self) -> tuple[Any, ...]:
         return FreeMotion, self._given                     # python-flint's balls are not pickled
 
     def state(self, t: Array) -> Array:
-        """π at an array of times, along a last axis."""
+        """Return π at an array of times, along a last axis."""
         return _in_blocks(self.path.values, t, (3,)) - self._rotor
 
     @cached_property
     def _rotor(self) -> Array:
-        """l in doubles."""
+        """The rotor l in doubles."""
         return np.array([double(ball(x, CONSTANT)) for x in self.rotor])
 
     def attitude(self, t: Array) -> Array:
-        """R from body to space at an array of times, z along M.
+        """Return R from body to space at an array of times, z along M.
 
-        Where M = 0, along ω. At the time 0 the Euler angle φ is 0.
+        If M = 0, z is along ω. At the time 0 the Euler angle φ is 0.
         """
         return _in_blocks(self.rotation.attitude, t, (3, 3))
 
     def ball_state(self, t: arb, bits: int) -> list[arb]:
-        """π at a time, enclosures of about so many bits; estimated ones where a turn is integrated."""
+        """Return π at a time, enclosures of about so many bits; estimated ones if a turn is integrated."""
         precision = bits + 64 + math.ceil(math.log2(1 + abs(float(t)) * self.fastest))
         with own_precision(precision + 64):
             return [x - ball(y, precision) for x, y in zip(self.path.at(t, bits, precision), self.rotor)]
 
     def exact_period(self, bits: int) -> arb | None:
-        """Of M, to so many bits; None where it rests, and on a separatrix."""
+        """Return the period of M, to so many bits; None if it rests, and on a separatrix."""
         if self.period is None:
             return None
         if not isinstance(self.rotation, Steady):
@@ -129,22 +128,22 @@ class FreeMotion:
             return 2 * arb.pi() / abs(ball(self.rotation.about, bits + 64))
 
     def exact_angles(self, _: int) -> tuple[float | None, None]:
-        """That about M, in doubles."""
+        """Return the angle about M, in doubles, and None for the spin."""
         return self.precession, None
 
     @property
     def precession(self) -> float | None:
-        """The angle gained about M in a period; where M rests, in a unit of time; None on a separatrix."""
+        """The angle gained about M in a period; if M rests, in a unit of time; None on a separatrix."""
         return self.rotation.precession
 
     @property
     def nodes(self) -> int:
-        """Steps by which a turn of M is integrated; 0 for closed forms."""
+        """The steps by which a turn of M is integrated; 0 for closed forms."""
         return 0 if isinstance(self.path, Polhode) else self.path.nodes
 
     @property
     def error(self) -> float:
-        """Of π, estimated."""
+        """The error of π, estimated."""
         return self.path.error * self.size
 
 

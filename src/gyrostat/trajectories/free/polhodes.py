@@ -1,5 +1,6 @@
-"""M of a free body of three different moments in Jacobi's functions, and the period of M in every free
-gyrostat.
+"""The momentum of a free body of three different moments, in Jacobi's functions.
+
+The period of M in every free gyrostat follows from the elliptic curve of a pencil of quadrics.
 """
 from dataclasses import dataclass
 from functools import lru_cache
@@ -19,12 +20,12 @@ from ..elliptic import argument, jacobi, jacobi_ball, quarter_period
 from ..periods import double, pair, reduced
 from .uniform_motion import CONSTANT, CYCLIC, ROUNDING, Triple, accurate, decided
 
-SMALLEST = 1e-300                                          # m1 that doubles hold
+SMALLEST = 1e-300                                          # the smallest m1 that doubles hold with room
 
 
 @dataclass(frozen=True)
 class Polhode:
-    """M_a = A_a cn u, M_b = A_b sn u, M_c = A_c dn u, u = rate · t + phase.
+    """The momentum M_a = A_a cn u, M_b = A_b sn u, M_c = A_c dn u, with u = rate · t + phase.
 
     c is the axis about which M goes around, b that of the intermediate moment. On the separatrix m1 = 0, and
     c is that of the largest.
@@ -36,7 +37,7 @@ class Polhode:
     axes : (a, b, c)
         a permutation of 0, 1, 2
     signs : (1 or −1, ...)
-        of A_a, A_b, A_c
+        the signs of A_a, A_b, A_c
     periodic : bool
         whether M is not on the separatrix
 
@@ -52,14 +53,14 @@ class Polhode:
     periodic: bool
 
     def period(self, bits: int) -> list[arb]:
-        """The period and m1, which says how near the separatrix is."""
+        """Return the period and m1, which says how near the separatrix is."""
         *_, rate, complement, _ = constants(self, bits)
         with own_precision(bits + 64):
             return [4 * quarter_period(complement) / rate, complement]
 
     @property
     def error(self) -> float:
-        """Of M, in units of abs(M), estimated: the rounding of u."""
+        """The error of M, in units of abs(M), estimated: the rounding of u."""
         *_, rate, _, _ = constants(self, CONSTANT)
         return ROUNDING * (8 + (float(rate * self.period(CONSTANT)[0]) if self.periodic else 0))
 
@@ -74,7 +75,7 @@ class Polhode:
         return pair(self.period(CONSTANT)[0]) if self.periodic else None
 
     def values(self, t: Array) -> Array:
-        """M at a row of times."""
+        """Return M at a row of times."""
         *sizes, rate, complement, phase = self._rounded
         if self.periodic and complement < SMALLEST:
             raise AccuracyError(f"m1 = {complement}: the motion is too near a separatrix for doubles; give "
@@ -87,7 +88,7 @@ class Polhode:
         return M
 
     def at(self, t: arb, _: int, precision: int) -> list[arb]:
-        """M at a time, from constants of a precision."""
+        """Return M at a time, from constants of a precision."""
         *sizes, rate, complement, phase = constants(self, precision)
         sn, cn, dn = jacobi_ball(rate * t + phase, complement)
         parts = dict(zip(self.axes, (size * part for size, part in zip(sizes, (cn, sn, dn)))))
@@ -95,12 +96,14 @@ class Polhode:
 
 
 def polhode(inertia: Triple, momentum: Triple) -> Polhode:
-    """The motion of a free body of three different moments, M not at rest.
+    """Return the motion of a free body of three different moments, M not at rest.
 
     Examples
     --------
     >>> from sympy import Integer, Rational
-    >>> polhode(tuple(map(Integer, (1, 2, 3))), (Rational(3, 10), Rational(1, 5), Rational(9, 10))).axes
+    >>> moments = tuple(map(Integer, (1, 2, 3)))
+    >>> M = Rational(3, 10), Rational(1, 5), Rational(9, 10)
+    >>> polhode(moments, M).axes
     (0, 1, 2)
     """
     low, middle, high = order = next((i, j, k) for i, j, k in permutations(range(3)) if all(
@@ -109,7 +112,7 @@ def polhode(inertia: Triple, momentum: Triple) -> Polhode:
     gap = M[high] ** 2 * (1 - I[middle] / I[high]) - M[low] ** 2 * (I[middle] / I[low] - 1)
     side = decided(gap, "M² − 2 E I for the intermediate moment")
     a, b, c = axes = order if side >= 0 else (high, middle, low)
-    # Ṁ_b ∝ M_c M_a (1/I_a − 1/I_c)
+    # the way around: Ṁ_b ∝ M_c M_a (1/I_a − 1/I_c)
     turn = 1 if (axes in ((0, 1, 2), (1, 2, 0), (2, 0, 1))) == (side >= 0) else -1
     first, second, third = (decided(M[i], f"M{i + 1}") for i in axes)
     if side == 0:
@@ -120,12 +123,12 @@ def polhode(inertia: Triple, momentum: Triple) -> Polhode:
 
 @lru_cache(maxsize=64)
 def constants(motion: Polhode, bits: int) -> list[arb]:
-    """A_a, A_b, A_c, rate, m1, phase."""
+    """Return A_a, A_b, A_c, rate, m1 and phase."""
     (Ia, Ma), (Ib, Mb), (Ic, Mc) = ((motion.inertia[i], motion.momentum[i]) for i in motion.axes)
     squares = (Ma**2 + Mb**2 * (Ia * (Ic - Ib) / (Ib * (Ic - Ia))),
                Mb**2 + Ma**2 * (Ib * (Ic - Ia) / (Ia * (Ic - Ib))),
                Mc**2 + Mb**2 * (Ic * (Ib - Ia) / (Ib * (Ic - Ia))), (1 / Ib - 1 / Ic) * (1 / Ia - 1 / Ic))
-    # M² − 2 E I_b, up to a factor
+    # M² − 2 E I_b up to a factor, as a sum in which only this difference can cancel
     gap = (Mc**2 * (1 - Ib / Ic) - Ma**2 * (Ib / Ia - 1)) * ((Ic - Ia) / (Ic - Ib))
     lead = Mb**2 * (1 - Ia / Ib) + Mc**2 * (1 - Ia / Ic)
 
@@ -140,7 +143,7 @@ def constants(motion: Polhode, bits: int) -> list[arb]:
 
 
 def invariants(inertia: Triple, rotor: Triple, momentum: Triple) -> tuple[Expr, Expr, Expr]:
-    """The invariants g2, g3 and g2³ − 27 g3² of the curve y² = det(B − λ A).
+    """Return the invariants g2, g3 and g2³ − 27 g3² of the curve y² = det(B − λ A).
 
     A is the quadric abs(M)² = m², and B is Σ (Mᵢ − lᵢ)²/Iᵢ = 2 h. M moves along the intersection of the two,
     and the curve has the same real period.
@@ -183,14 +186,17 @@ class Meeting:
 
     @property
     def periodic(self) -> bool:
-        """Whether the period is finite: a double root is not the larger one."""
+        """Whether the period is finite.
+
+        It is not if a double root is larger than the third one: then g3 = −8 e³ is negative.
+        """
         return self.sign != 0 or decided(self.g3, "the invariant g3") > 0
 
     def period(self, bits: int) -> list[arb]:
-        """The period π / agm(√u, √v) and v/u, which says how near the separatrix is.
+        """Return the period π / agm(√u, √v) and v/u, which says how near the separatrix is.
 
-        u = e1 − e3, v = e1 − e2 for three real roots; for one, e, and H² = 3 e² − g2/4: u = H, v = H/2 + 3
-            e/4.
+        For three real roots u = e1 − e3 and v = e1 − e2. For one real root e, u = H and v = H/2 + 3 e/4,
+        where H² = 3 e² − g2/4.
 
         References
         ----------
@@ -213,12 +219,12 @@ class Meeting:
 
 
 def meeting(inertia: Triple, rotor: Triple, momentum: Triple) -> Meeting:
-    """The period of M in a gyrostat, decided exactly.
+    """Return the period of M in a gyrostat, decided exactly.
 
     Raises
     ------
     ValuesError
-        whether M moves on a separatrix is undecided
+        whether M moves on a separatrix, is undecided
     """
     g2, g3, discriminant = invariants(inertia, rotor, momentum)
     return Meeting(g2, g3, discriminant, decided(discriminant,

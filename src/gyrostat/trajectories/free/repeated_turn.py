@@ -1,4 +1,7 @@
-"""The momentum and attitude of a free gyrostat: one turn of its momentum, in balls, repeated."""
+"""The momentum and attitude of a free gyrostat: one turn of its momentum, in balls, repeated.
+
+After a period the momentum is back, and the attitude is turned about it by an angle that is the same in each.
+"""
 import math
 from dataclasses import dataclass
 from functools import lru_cache
@@ -19,24 +22,25 @@ from .polhodes import Meeting, Polhode
 from .taylor import Loop, Rates, loop
 from .uniform_motion import CONSTANT, ROUNDING, Triple, cycles, frame, turned
 
-# components of the vectors that are followed: M; M and the row x
+# components of the vectors that are followed: M alone; M and the row x of the rotation
 M_ONLY, ROWS = 3, 6
 MOST_LOST = 512                                            # bits that nearness to a separatrix may cost
-# bits to which a turn closes, for results in doubles; its angle is multiplied
+# bits to which a turn closes, for results in doubles; more for the rotation, whose angle is multiplied
 CLOSED = {M_ONLY: 64, ROWS: 88}
 
 
 @dataclass(frozen=True)
 class RepeatedTurn:
-    """R = Rz(common · t) R̃, where M and the rows of R̃ follow v̇ = v × Ω over a turn, which ends with R̃
-    turned about M.
+    """The rotation R = Rz(common · t) R̃, where M and the rows of R̃ follow v̇ = v × Ω over a turn.
+
+    After the turn M is the same, and R̃ is turned about M.
 
     Parameters
     ----------
     inertia, rotor, momentum : three Expr
         Iᵢ, lᵢ, and M at the time 0
     path : Polhode or Meeting
-        what knows the period
+        gives the period
     """
 
     inertia: Triple
@@ -45,12 +49,12 @@ class RepeatedTurn:
     path: Polhode | Meeting
 
     def size(self, bits: int) -> arb:
-        """abs(M)."""
+        """Return abs(M)."""
         M = [ball(x, bits) for x in self.momentum]
         return dot(M, M).sqrt()
 
     def common(self, bits: int) -> arb:
-        """The rate at which the rows of R̃ are left behind.
+        """Return the rate at which the rows of R̃ are left behind.
 
         With it Ω is small for a body of nearly equal moments.
         """
@@ -58,26 +62,27 @@ class RepeatedTurn:
         return self.size(bits) * (max(inverse, key=float) + min(inverse, key=float)) / 2
 
     def rates(self, bits: int) -> Rates:
-        """Ω."""
+        """Return Ω as a function of M."""
         inertia, size, common = [ball(x, bits) for x in self.inertia], self.size(bits), self.common(bits)
         return Rates([size / x - common for x in inertia],
                      [-ball(y, bits) / x for x, y in zip(inertia, self.rotor)])
 
     def loops(self, components: int, bits: int = 0) -> tuple[Loop, Loop | None]:
-        """A turn; on a separatrix all that follows, and all that went before in reversed time."""
+        """Return a turn; on a separatrix all that follows, and all that went before in reversed time."""
         return _loops(self, components, bits or CLOSED[components if self.path.periodic else M_ONLY])
 
     @cached_property
     def angle(self) -> arb:
-        """By which R̃ is turned about M at the end of a turn."""
+        """The angle by which R̃ is turned about M at the end of a turn."""
         with own_precision(CONSTANT):
             u, k = frame(self.momentum, CONSTANT)
             end = self.loops(ROWS)[0].end[3:]
             return arb.atan2(dot(end, cross(u, k)), dot(end, u))
 
     def rows(self, t: Array, components: int) -> tuple[Array, Array]:
-        """M/abs(M) and the row x of R̃ at a row of times, and the cycles by which R̃ has been turned about M
-        besides.
+        """Return M/abs(M) and the row x of R̃ at a row of times, and cycles.
+
+        R̃ has been turned about M by these cycles besides.
         """
         forth, back = self.loops(components)
         if back is None:
@@ -99,29 +104,29 @@ class RepeatedTurn:
 
     @cached_property
     def _length(self) -> float:
-        """abs(M) in doubles."""
+        """The length abs(M) in doubles."""
         with own_precision(CONSTANT):
             return double(self.size(CONSTANT))
 
     @cached_property
     def _common(self) -> Twofold:
-        """Turns of the common rate in a unit of time."""
+        """The turns of the common rate in a unit of time."""
         with own_precision(CONSTANT):
             return cycles(self.common(CONSTANT))
 
     def values(self, t: Array) -> Array:
-        """M at a row of times."""
+        """Return M at a row of times."""
         with own_precision(CONSTANT):
             return self._length * self.rows(t, M_ONLY)[0]
 
     def attitude(self, t: Array) -> Array:
-        """R at a row of times."""
+        """Return R at a row of times."""
         with own_precision(CONSTANT):
             rows, cycle = self.rows(t, ROWS)
             return turned(np.roll(rows, 3, axis=1), turns(t, self._common) + cycle)
 
     def at(self, t: arb, bits: int, precision: int) -> list[arb]:
-        """M at a time, to so many bits, from constants of a precision.
+        """Return M at a time, to so many bits, from constants of a precision.
 
         The radii are estimated, from how well the turn closes.
         """
@@ -136,14 +141,14 @@ class RepeatedTurn:
 
     @cached_property
     def period(self) -> float | None:
-        """Of M, None on a separatrix."""
+        """The period of M, None on a separatrix."""
         return double(self.path.period(CONSTANT)[0]) if self.path.periodic else None
 
     @cached_property
     def precession(self) -> float | None:
-        """The angle gained about M in a period: φ of axis 3, where that is not along M.
+        """The angle gained about M in a period, that of φ of axis 3 if this axis is not along M.
 
-        None on a separatrix.
+        It is None on a separatrix.
         """
         if self.period is None:
             return None
@@ -159,14 +164,14 @@ class RepeatedTurn:
 
     @property
     def nodes(self) -> int:
-        """Steps of a turn."""
+        """The steps of a turn."""
         return len(self.loops(M_ONLY)[0].pieces)
 
     @property
     def error(self) -> float:
-        """Of M, in units of abs(M), estimated.
+        """The error of M, in units of abs(M), estimated.
 
-        The rounding of the time, and what the polynomials in doubles leave of the series.
+        It is the rounding of the time, and what the polynomials in doubles leave of the series.
         """
         turn, rates = self.loops(M_ONLY)[0], self.rates(CONSTANT)
         return ROUNDING * (8 + turn.length / rates.unit / 4) + turn.cut

@@ -1,4 +1,7 @@
-"""A turn of M in any free gyrostat by Taylor's method, in whole numbers, looked up mod the period."""
+"""Integrates a turn of M in any free gyrostat by Taylor's method, in whole numbers.
+
+The turn is looked up mod the period.
+"""
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -13,9 +16,9 @@ from ...errors import AccuracyError
 from ...stability.criteria.amended_form import dot
 from .uniform_motion import CYCLIC
 
-# of the polynomials in doubles: about e⁻⁴⁸ of the first term is left
+# the order of polynomials in doubles: with steps of e⁻² radii about e⁻⁴⁸ of the first term is left
 ORDER = 24
-# units of time: where M nearly rests, small coefficients are lost, noise grows
+# the longest step in units of time: if M nearly rests, small coefficients are lost, and noise grows
 LONGEST = 16
 STEPS = 4000                                               # a turn that takes more is refused
 
@@ -24,7 +27,7 @@ Vector = Sequence[arb]
 
 @dataclass(frozen=True)
 class Rates:
-    """v̇ = v × (spread · M + constant), for M, of length 1, and for every vector that is fixed in space.
+    """The rates in v̇ = v × (spread · M + constant), for M, of length 1, and any vector fixed in space.
 
     Parameters
     ----------
@@ -39,22 +42,23 @@ class Rates:
 
     @cached_property
     def unit(self) -> float:
-        """A time in which little happens."""
+        """The time in which little happens: the inverse of the sum of all rates."""
         return 1 / math.fsum(abs(float(x)) for x in (*self.spread, *self.constant))
 
     def about(self, M: Vector) -> arb:
-        """The rate of turning about M."""
+        """Return the rate of turning about M."""
         return dot([d * x + c for d, x, c in zip(self.spread, M, self.constant)], M)
 
     def reversed(self) -> "Rates":
-        """Of the motion in reversed time."""
+        """Return the rates of the motion in reversed time."""
         return Rates([-x for x in self.spread], [-x for x in self.constant])
 
 
 @dataclass(frozen=True)
 class Piece:
-    """A step: its start, its length, the coefficients of its series in the part of it that has passed, times
-    2^precision.
+    """A step: its start, its length, and the coefficients of its series.
+
+    The series is in the part of the step that has passed; coefficients are times 2^precision.
     """
 
     start: float
@@ -76,7 +80,7 @@ class Loop:
 
     @cached_property
     def length(self) -> float:
-        """Time from the first piece to the end of the last."""
+        """The time from the first piece to the end of the last."""
         return self.pieces[-1].start + float(self.pieces[-1].length)
 
     @cached_property
@@ -86,7 +90,7 @@ class Loop:
                    for row in piece.coefficients)
 
     def at(self, t: arb) -> list[arb]:
-        """The vectors at a time from 0 to the end."""
+        """Return the vectors at a time from 0 to the end."""
         piece = [piece for piece in self.pieces if piece.start == 0 or t > piece.start][-1]
         part = (t - piece.start) / piece.length
         found = []
@@ -99,7 +103,7 @@ class Loop:
 
     @cached_property
     def table(self) -> tuple[Array, Array, Array]:
-        """Starts, lengths, and coefficients from the highest down, in doubles."""
+        """The starts, lengths, and coefficients from the highest down, in doubles."""
         unit = 1 << self.precision
         rows = [[[c / unit for c in row[ORDER::-1]] for row in piece.coefficients] for piece in self.pieces]
         return (np.array([piece.start for piece in self.pieces]),
@@ -107,9 +111,9 @@ class Loop:
                 np.ascontiguousarray(np.array(rows).T))
 
     def values(self, t: Array, period: float = 0.0) -> Array:
-        """The vectors at a row of times from 0 to the end.
+        """Return the vectors at a row of times from 0 to the end.
 
-        Where the motion is periodic, from minus half a period.
+        If the motion is periodic, times go from minus half a period.
         """
         starts, lengths, coefficients = self.table
         if period:
@@ -125,13 +129,13 @@ class Loop:
 
 
 def whole(x: arb, precision: int) -> int:
-    """The middle of an enclosure times 2^precision, rounded down."""
+    """Return the middle of an enclosure times 2^precision, rounded down."""
     return int((x.mid() * arb(2) ** precision).mid().floor().unique_fmpz())
 
 
 def series(start: Sequence[int], spread: Sequence[int], constant: Sequence[int], order: int,
            precision: int) -> list[list[int]]:
-    """Taylor coefficients of v̇ = v × (spread · M + constant), M being the first vector.
+    """Return the Taylor coefficients of v̇ = v × (spread · M + constant), M being the first vector.
 
     Every number is times 2^precision.
     """
@@ -155,11 +159,10 @@ def series(start: Sequence[int], spread: Sequence[int], constant: Sequence[int],
 
 
 def loop(start: Vector, rates: Rates, precision: int, end: arb | None) -> Loop:
-    """The motion from a start, M and then other vectors, for a time or, where that is None, until M rests to
-    half the precision.
+    """Return the motion from a start, M and then other vectors, for a time, or until M rests.
 
-    Each step is e² times shorter than the radius of convergence, estimated from the coefficients of orders 23
-    and 24.
+    If the time is None, it is followed until M rests to half the precision. Each step is e² times shorter
+    than the radius of convergence, estimated from the coefficients of orders 23 and 24.
 
     Raises
     ------

@@ -1,6 +1,6 @@
 """Free motions that are uniform: rest, permanent rotation, bodies of revolution, three equal moments.
 
-Frames, and what decides.
+Here are also frames, and the signs that decide which motion it is.
 """
 import math
 from collections.abc import Callable
@@ -23,8 +23,8 @@ from ...stability.criteria.amended_form import dot
 from ..periods import double, pair, turns
 
 Triple = tuple[Expr, Expr, Expr]
-CONSTANT = 192                                             # bits of what results in doubles are made of
-# bits at which a number that is known not to be zero is given up
+CONSTANT = 192                                             # bits of constants for results in doubles
+# bits at which one gives up a number that is known not to be zero
 MOST = 16384
 ROUNDING = 2.0**-52
 CYCLIC = ((0, 1, 2), (1, 2, 0), (2, 0, 1))
@@ -32,7 +32,7 @@ AXES = tuple((Integer(k == 0), Integer(k == 1), Integer(k == 2)) for k in range(
 
 
 def decided(constant: Expr, what: str) -> int:
-    """The sign of a constant on which it depends what the motion is.
+    """Return the sign of a constant on which it depends what the motion is.
 
     Raises
     ------
@@ -44,8 +44,7 @@ def decided(constant: Expr, what: str) -> int:
 
 
 def accurate(compute: Callable[[int], list[arb]], bits: int) -> list[arb]:
-    """Enclosures of at least so many correct bits each, by doubling the precision at which they are computed.
-    """
+    """Return enclosures of at least so many correct bits each, by doubling the working precision."""
     for precision in doubled(bits + 64, MOST):
         with own_precision(precision):
             found = compute(precision)
@@ -56,12 +55,12 @@ def accurate(compute: Callable[[int], list[arb]], bits: int) -> list[arb]:
 
 
 def cycles(rate: arb) -> Twofold:
-    """Full turns in a unit of time."""
+    """Return the full turns in a unit of time."""
     return pair(rate / (2 * arb.pi()))
 
 
 def frame(up: Triple, bits: int) -> tuple[list[arb], list[arb]]:
-    """The space axes x and z in body components at the time 0.
+    """Return the space axes x and z in body components at the time 0.
 
     z is the upward direction, and x is chosen so that φ = 0, and also ψ = 0 if z is ± axis 3.
     """
@@ -74,7 +73,7 @@ def frame(up: Triple, bits: int) -> tuple[list[arb], list[arb]]:
 
 
 def turned(rows: Array, cycle: Array) -> Array:
-    """Rz(2π cycle) R, at a row of cycles, from the rows x and z of R."""
+    """Return Rz(2π cycle) R, at a row of cycles, from the rows x and z of R."""
     x, z = rows[:, :3], rows[:, 3:]
     y = np.cross(z, x)
     c, s = np.cos(2 * np.pi * cycle)[:, None], np.sin(2 * np.pi * cycle)[:, None]
@@ -83,18 +82,18 @@ def turned(rows: Array, cycle: Array) -> Array:
 
 @dataclass(frozen=True)
 class Steady:
-    """R = Rz(rate · t) R(0) Rot(axis, about · t).
+    """The uniform rotation R = Rz(rate · t) R(0) Rot(axis, about · t).
 
-    ω is the sum of two parts: one is fixed in space, the other in the body. So move a body at rest or in
-    permanent rotation (about = 0), a body of revolution with l on its axis, and a body with three equal
-    moments.
+    ω is the sum of two parts: one is fixed in space, the other in the body. A body at rest or in permanent
+    rotation (about = 0), a body of revolution with l on its axis, and a body with three equal moments move in
+    this way.
 
     Parameters
     ----------
     momentum, up, axis : three Expr
         M at the time 0; the space z axis and a unit vector, in body components
     rate, about : Expr
-        [1/T]
+        the rates about z and about the axis [1/T]
     """
 
     momentum: Triple
@@ -107,16 +106,16 @@ class Steady:
 
     @cached_property
     def constants(self) -> tuple[Array, Array, Array, Twofold, Twofold]:
-        """In doubles: M, the rows x and z of R(0), the axis; cycles about z and about the axis."""
+        """In doubles M, the rows x and z of R(0), the axis; cycles about z and about the axis."""
         with own_precision(CONSTANT):
             M, n = (np.array([double(ball(x, CONSTANT)) for x in v]) for v in (self.momentum, self.axis))
             rows = np.array([[double(x) for x in v] for v in frame(self.up, CONSTANT)])
             return M, rows, n, cycles(ball(self.rate, CONSTANT)), cycles(ball(self.about, CONSTANT))
 
     def seen(self, vectors: Array, t: Array) -> Array:
-        """Body components at a row of times, shape (times, vectors, 3), of vectors that are fixed in space.
+        """Return body components of vectors that are fixed in space, shape (times, vectors, 3).
 
-        The vectors are given by their body components at the time 0.
+        The vectors are given by their body components at the time 0; the times are a row.
         """
         _, _, n, _, cycle = self.constants
         angle = 2 * np.pi * turns(t, cycle)[:, None, None]
@@ -124,15 +123,15 @@ class Steady:
         return along + np.cos(angle) * (vectors - along) + np.sin(angle) * np.cross(vectors, n)
 
     def values(self, t: Array) -> Array:
-        """M at a row of times."""
+        """Return M at a row of times."""
         return self.seen(self.constants[0][None], t)[:, 0]
 
     def attitude(self, t: Array) -> Array:
-        """R at a row of times."""
+        """Return R at a row of times."""
         return turned(self.seen(self.constants[1], t).reshape(-1, 6), turns(t, self.constants[3]))
 
     def at(self, t: arb, _: int, precision: int) -> list[arb]:
-        """M at a time, from constants of a precision."""
+        """Return M at a time, from constants of a precision."""
         M, n = ([ball(x, precision) for x in v] for v in (self.momentum, self.axis))
         angle = ball(self.about, precision) * t
         return [dot(M, n) * y + angle.cos() * (x - dot(M, n) * y) + angle.sin() * z
@@ -140,23 +139,23 @@ class Steady:
 
     @cached_property
     def period(self) -> float | None:
-        """Of M, None where it rests."""
+        """The period of M, None if it rests."""
         return None if self.about == 0 else 2 * math.pi / abs(float(self.about))
 
     @cached_property
     def precession(self) -> float:
-        """The angle gained about M in a period, or in a unit of time where M rests."""
+        """The angle gained about M in a period, or in a unit of time if M rests."""
         return float(self.rate) * (self.period or 1.0)
 
 
 def steady(inertia: Triple, rotor: Triple, M: Triple) -> Steady | None:
-    """The motion from M at the time 0, if it is uniform.
+    """Return the motion from M at the time 0, if it is uniform; else None.
 
     Examples
     --------
     >>> from sympy import Integer
-    >>> one, two, nothing = map(Integer, (1, 2, 0))
-    >>> motion = steady((one, one, two), (nothing, nothing, one), (one, nothing, two))
+    >>> one, two, zero = map(Integer, (1, 2, 0))
+    >>> motion = steady((one, one, two), (zero, zero, one), (one, zero, two))
     >>> motion.rate, motion.about
     (sqrt(5), -3/2)
     """

@@ -1,4 +1,7 @@
-"""The motion of any concrete scene by numerical integration, with an estimate of its error."""
+"""Integrates the motion of any concrete scene, with an estimate of its error by a second run.
+
+What the scene conserves is a check of both.
+"""
 import math
 from collections.abc import Sequence
 from importlib.util import find_spec
@@ -14,7 +17,7 @@ from ...mechanics.scenes.lie_poisson import hat
 from ...mechanics.scenes.system import System
 from .integrators import METHODS, RungeKutta, Taylor, beside, beyond, nearest
 
-# the error that is accepted where no tolerance is given
+# the error that is accepted if no tolerance is given
 WORTHLESS = 1e-3
 
 
@@ -32,9 +35,9 @@ class Integration:
     state : tuple of Expr
         exact numbers, one for each coordinate
     tolerance : float or None
-        the absolute error that is accepted in the state; None: 10⁻³. The integrator always does its best
+        the absolute error that is accepted in the state; default 10⁻³. The integrator always does its best
     method : "heyoka", "DOP853" or None
-        None: heyoka where it is installed
+        default heyoka if it is installed, else DOP853
 
     Attributes
     ----------
@@ -48,7 +51,7 @@ class Integration:
     Raises
     ------
     ArgumentError
-        another method
+        there is no such method
     ScopeError
         U has a function that is not elementary
     MissingExtraError
@@ -65,8 +68,9 @@ class Integration:
     --------
     >>> import gyrostat as gs
     >>> from sympy import S
-    >>> tumbling = Integration(gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 0))), (S.Zero, S(2), S.One / 100),
-    ...                        method="DOP853")
+    >>> free = gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 0)))
+    >>> state = S.Zero, S(2), S.One / 100
+    >>> tumbling = Integration(free, state, method="DOP853")
     >>> tumbling.state([0.0, -9.0]).round(6)
     array([[0.      , 2.      , 0.01    ],
            [0.488121, 1.745552, 0.845509]])
@@ -99,20 +103,20 @@ class Integration:
 
     @property
     def nodes(self) -> int:
-        """Steps so far, of both integrations."""
+        """The number of steps so far, of both integrations."""
         return sum(run.steps for run in self._runs)
 
     def state(self, t: Any) -> Array:
-        """The state at times of any shape, in any order; shape (..., n)."""
+        """Return the state at times of any shape, in any order; shape (..., n)."""
         t = np.asarray(t, dtype=float)
         n = len(self.scene.space.coordinates)
         return self._at(t.ravel(), n)[:, :n].reshape(*t.shape, n)
 
     def attitude(self, t: Any) -> Array:
-        """R from body to space axes at times of any shape; shape (..., 3, 3).
+        """Return R from body to space axes at times of any shape; shape (..., 3, 3).
 
-        The space axis z is k, on so(3)* it is M; the Euler angle φ is 0 at t = 0, and so is ψ where sin θ =
-        0. Of two directions z is the first and x the second: in orbit the axes are r, t and n.
+        The space axis z is k, on so(3)* it is M; the Euler angle φ is 0 at t = 0, and so is ψ if sin θ = 0.
+        With two directions z is the first and x the second: in an orbit the axes are r, t and n.
 
         Raises
         ------
@@ -132,24 +136,24 @@ class Integration:
         return np.stack([x, np.cross(z, x, axis=0), z]).transpose(2, 0, 1).reshape(*t.shape, 3, 3)
 
     def ball_state(self, t: arb, bits: int) -> list[arb]:
-        """Refused: it is integrated in doubles."""
+        """Refuse: it is integrated in doubles."""
         raise ScopeError(f"{self.name} integrates in doubles: leave the precision out")
 
     def exact_period(self, bits: int) -> None:
-        """None is known."""
+        """Return None: no period is known."""
 
     def exact_angles(self, bits: int) -> tuple[None, None]:
-        """None are known."""
+        """Return None for both: no angles are known."""
         return None, None
 
     def _vertical(self, x: Array) -> Array:
-        """k, or M = π + l where there is no k."""
+        """Return k, or M = π + l if there is no k."""
         if self.scene.potential:
             return x[3:6]
         return (x[:3].T + [float(l) for l in self.scene.body.gyrostatic_momentum]).T
 
     def _at(self, times: Array, columns: int | None) -> Array:
-        """All values at times in any order, the first columns of them to the tolerance."""
+        """Return all values at times in any order, the first columns of them to the tolerance."""
         unique, places = np.unique(times, return_inverse=True)
         if not np.isfinite(unique).all():
             raise ValuesError(f"t = {unique[~np.isfinite(unique)][0]} is not a finite time: leave it out")
@@ -167,7 +171,7 @@ class Integration:
         return fine[places]
 
     def _followed(self, run: Taylor | RungeKutta, times: Array) -> Array:
-        """All values at ascending times: from 0 back, from 0 on, or on from where the run is."""
+        """Return all values at ascending times: from 0 back, from 0 on, or on from where the run is."""
         before, after = times[times < 0], times[times >= 0]
         found = [np.empty((0, len(run.start)))]
         for side, order in ((before[::-1], -1), (after, 1)):
@@ -178,8 +182,9 @@ class Integration:
         return np.concatenate(found)
 
     def _broken(self, times: Array, values: Array) -> Array:
-        """The least error in the state that explains what the Casimirs, the energy and the integrals have
-        lost.
+        """Return the least error in the state that explains what the conserved functions have lost.
+
+        They are the Casimirs, the energy and the integrals.
         """
         scene, least = self.scene, np.zeros(len(values))
         arrays = dict(zip(scene.space.coordinates, np.vstack([self._runs[0].start, values]).T))
@@ -194,6 +199,6 @@ class Integration:
 
 
 def _across(z: Array) -> Array:
-    """The axis x of space in body axes at φ = 0, in z-x-z; (1, 0, 0) where z lies on axis 3."""
+    """Return the axis x of space in body axes at φ = 0, in z-x-z; (1, 0, 0) if z lies on axis 3."""
     length = math.hypot(z[0], z[1])
     return np.array([z[1] / length, -z[0] / length, 0.0] if length else [1.0, 0.0, 0.0])

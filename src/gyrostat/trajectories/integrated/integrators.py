@@ -18,14 +18,14 @@ Rounding = Callable[[Expr], float]
 
 
 def nearest(number: Expr) -> float:
-    """The double next to a number."""
+    """Return the double next to a number."""
     return float(number)
 
 
 def beside(number: Expr) -> float:
-    """A number that is a double as it is, of any other the second double above it or the first.
+    """Return a number that is a double as it is; any other is rounded to the next double above the nearest.
 
-    As bad a rounding, and another.
+    That is as bad a rounding, and another.
     """
     value = float(number)
     return value if Rational(value) == number else math.nextafter(value, math.inf)
@@ -34,12 +34,12 @@ def beside(number: Expr) -> float:
 def integrable(values: Mapping[Symbol, Any], constant: Callable[[Expr], Any], add: Callable[[Any, Any], Any],
                multiply: Callable[[Any, Any], Any], power: Callable[[Any, float], Any],
                function: Callable[[str], Callable[[Any], Any]]) -> Arithmetic:
-    """The arithmetic of a method: a whole power is a product, what the method has no function for is refused.
+    """Return the arithmetic of a method: a whole power is a product, any but FUNCTIONS are refused.
 
     Raises
     ------
     ScopeError
-        when used: a function or a power that no potential here has, such as a Bessel function
+        when it is used: a function or a power that no potential here has, such as a Bessel function
     """
     def leaf(node: Expr) -> Any:
         if isinstance(node, Symbol):
@@ -67,13 +67,14 @@ def _function(name: str) -> Callable[[Any], Any]:
 
 
 def floats(values: Mapping[Symbol, Callable[[Sequence[float]], float]], rounding: Rounding) -> Arithmetic:
-    """Functions of a point, which is a sequence of floats.
+    """Return the arithmetic of functions of a point, which is a sequence of floats.
 
     Examples
     --------
     >>> import gyrostat as gs
     >>> x = gs.symbol("x")
-    >>> in_arithmetic(x**3 / 2 - 1, floats({x: lambda point: point[0]}, nearest))((2.0,))
+    >>> first = floats({x: lambda point: point[0]}, nearest)
+    >>> in_arithmetic(x**3 / 2 - 1, first)((2.0,))
     3.0
     """
     def constant(number: Expr) -> Callable[[Sequence[float]], float]:
@@ -86,7 +87,7 @@ def floats(values: Mapping[Symbol, Callable[[Sequence[float]], float]], rounding
 
 
 class Taylor:
-    """heyoka's adaptive Taylor method: the order follows from the tolerance."""
+    """The adaptive Taylor method of heyoka: the order follows from the tolerance."""
 
     FINE, COARSE = 2.0**-52, 2.0**-40
 
@@ -101,15 +102,15 @@ class Taylor:
 
     @property
     def time(self) -> float:
-        """Where it is."""
+        """The time at which it is."""
         return float(self.integrator.time)
 
     def restart(self) -> None:
-        """Back to time 0."""
+        """Go back to the time 0."""
         self.integrator.time, self.integrator.state[:] = 0.0, self.start
 
     def reach(self, times: Array) -> Array:
-        """The values at times further and further on."""
+        """Return the values at times further and further on."""
         ahead = int(times[0] != self.time)
         grid = np.concatenate([[self.time], times]) if ahead else times
         outcome, *_, steps, _, values = self.integrator.propagate_grid(grid)
@@ -122,7 +123,7 @@ class Taylor:
 
 
 class RungeKutta:
-    """DOP853, the method of order 8 of Dormand and Prince, in SciPy."""
+    """The method DOP853 of order 8 of Dormand and Prince, in SciPy."""
 
     FINE, COARSE = 2.5e-14, 1e-12
 
@@ -134,12 +135,12 @@ class RungeKutta:
         self.restart()
 
     def restart(self) -> None:
-        """Back to time 0."""
+        """Go back to the time 0."""
         self.time = 0.0
         self.solver: Any = None
 
     def field(self, _: float, x: Array) -> list[float]:
-        """The rates at a point; not a number where U is singular, so that the step is made shorter."""
+        """Return the rates at a point; NaN if U is singular, so that the step is made shorter."""
         point = x.tolist()
         try:
             return [rate(point) for rate in self.rates]
@@ -147,7 +148,7 @@ class RungeKutta:
             return [math.nan] * len(point)
 
     def reach(self, times: Array) -> Array:
-        """The values at times further and further on."""
+        """Return the values at times further and further on."""
         if self.solver is None or self.solver.direction * times[-1] < 0:
             end = math.copysign(math.inf, times[-1])
             self.solver = self.method(self.field, 0.0, self.start, end, rtol=self.tolerance,
@@ -155,7 +156,7 @@ class RungeKutta:
         found, done = np.empty((len(times), len(self.start))), 0
         while done < len(times):
             while self.solver.t_old is None or abs(times[done]) > abs(self.solver.t):
-                with np.errstate(all="ignore"):        # of a step that is not taken
+                with np.errstate(all="ignore"):        # a step that is not taken may overflow
                     self.solver.step()
                 self.steps += 1
                 if self.solver.status == "failed":
@@ -172,7 +173,7 @@ METHODS: dict[str, type[Taylor] | type[RungeKutta]] = {"heyoka": Taylor, "DOP853
 
 
 def beyond(time: float) -> AccuracyError:
-    """What to raise where there is no motion."""
+    """Return the error to raise if there is no motion beyond a time."""
     return AccuracyError(f"the motion cannot be followed beyond t = {time}: U or its gradient is singular "
                          "there, or the numbers are too far from 1: ask for times before, or give them in "
                          "other units")

@@ -1,6 +1,6 @@
-"""Cayley-Klein parameters.
+"""The rotation, the directions and the momenta of a body of revolution from its Cayley-Klein parameters.
 
-The rotation, the directions and the momenta of a body of revolution from two complex numbers.
+These are two complex numbers, smooth where Euler's angles are not.
 """
 from typing import Any, NamedTuple
 
@@ -10,7 +10,7 @@ from ...algebra.enclosures.floats import Array
 class Forms(NamedTuple):
     """Products of a, b = (c √(1 ± z1) ± i s √(1 ± z2))/√2, which are a and b without their unit factors.
 
-    Each product is x c² + y s² + i w s c; (x, y, w) of it.
+    Each product is x c² + y s² + i w s c; (x, y, w) of it is held.
     """
 
     across: tuple[Any, Any, Any]
@@ -24,12 +24,18 @@ class Forms(NamedTuple):
 
 
 def forms(gaps: Any, senses: list[int]) -> Forms:
-    """The products, in the arithmetic of the gaps.
+    """Return the products, in the arithmetic of the gaps.
 
     Parameters
     ----------
-    gaps : √(1 + z), √(1 − z) at the lower and the upper end
-    senses : 1 or −1 of each
+    gaps : pairs of numbers
+        √(1 + z), √(1 − z) at the lower and the upper end
+    senses : list of int
+        1 or −1 for each
+
+    Returns
+    -------
+    Forms
     """
     (p, q), (x, y) = [(low, sense * high) for (low, high), sense in zip(gaps, senses)]
     return Forms((p * x, q * y, p * y - q * x), (p * p, -q * q, 2 * p * q), (x * x, -y * y, 2 * x * y),
@@ -37,41 +43,54 @@ def forms(gaps: Any, senses: list[int]) -> Forms:
 
 
 def valued(form: tuple[Any, Any, Any], at: Any) -> tuple[Any, Any]:
-    """Real and imaginary part of a product at the squares of a nutation."""
+    """Return real and imaginary part of a product at the squares of a nutation."""
     x, y, w = form
     return x * at.cosine + y * at.sine, w * at.mixed
 
 
 def product(a: tuple[Any, Any], b: tuple[Any, Any]) -> tuple[Any, Any]:
-    """Of two complex numbers, real and imaginary part of each."""
+    """Return the product of two complex numbers, real and imaginary part of each."""
     return a[0] * b[0] - a[1] * b[1], a[0] * b[1] + a[1] * b[0]
 
 
 def momentum(found: Forms, across: tuple[Any, Any], turn: Any, rate: Any) -> tuple[Any, Any]:
-    """2 (ā ḃ − b ā˙)/i, with derivatives in u, but for the unit factors: real and imaginary part.
+    """Return 2 (ā ḃ − b ā˙)/i without the unit factors: real and imaginary part.
 
-    The derivatives of c and s leave a constant times the rate of their angle. Times I1 du/dt it is
-    (π1 + i π2)/i.
+    Derivatives are in u. Those of c and s leave a constant times the rate of their angle. Times I1 du/dt it
+    is (π1 + i π2)/i.
 
     Parameters
     ----------
     found : Forms
-    across : the value of 2 ā b
-    turn : rate of the angle of the nutation in u
-    rate : what the two unit factors turn in u together
+    across : pair of numbers
+        the value of 2 ā b
+    turn : number
+        the rate of the angle of the nutation in u
+    rate : number
+        the rate at which the two unit factors turn in u together
+
+    Returns
+    -------
+    pair of numbers
     """
     return found.both[2] * turn + rate * across[0], rate * across[1]
 
 
 def rotation(R: Array, products: Any, precession: Any, spin: Any, height: Any) -> None:
-    """R from body to space of a = cos(θ/2) exp(i (φ + ψ)/2), b = sin(θ/2) exp(i (φ − ψ)/2), into an array.
+    """Enter R from body to space into an array, from products of the Cayley-Klein parameters.
+
+    They are a = cos(θ/2) exp(i (φ + ψ)/2) and b = sin(θ/2) exp(i (φ − ψ)/2).
 
     Parameters
     ----------
     R : array, shape (..., 3, 3)
-    products : values of the Forms
-    precession, spin : the unit factors of a b and of ā b, cosine and sine each
-    height : cos θ
+        gets the rotation
+    products : list of pairs
+        the values of the Forms
+    precession, spin : pair of numbers
+        the unit factors of a b and of ā b, cosine and sine each
+    height : number
+        cos θ
 
     References
     ----------
@@ -82,8 +101,12 @@ def rotation(R: Array, products: Any, precession: Any, spin: Any, height: Any) -
     --------
     >>> import numpy as np
     >>> R, one = np.empty((3, 3)), (1.0, 0.0)
-    >>> rotation(R, [(0.96, 0.0), (0.72, 0.0), (1.28, 0.0), (0.96, 0.0)], one, one, -0.28)
-    >>> R[2]                                                            # φ = ψ = 0, cos(θ/2) = 0.6
+
+    With φ = ψ = 0 and cos(θ/2) = 0.6:
+
+    >>> products = [(0.96, 0.0), (0.72, 0.0), (1.28, 0.0), (0.96, 0.0)]
+    >>> rotation(R, products, one, one, -0.28)
+    >>> R[2]
     array([ 0.  ,  0.96, -0.28])
     """
     across, first, second, both = products

@@ -1,4 +1,4 @@
-"""What is integrated along a nutation: dt/du, and the smooth parts of the two angles, in balls."""
+"""The integrands along a nutation: dt/du, and the smooth parts of the two angles, in balls."""
 from dataclasses import dataclass
 from math import prod
 
@@ -22,7 +22,7 @@ LOW, HIGH = (arb(0), arb(1), arb(0)), (arb(1), arb(0), arb(0))
 class Integrands:
     """The rates in u of the time and of the two angles of the Cayley-Klein parameters a and b.
 
-    Those of the angles have poles where z = ∓1, with the residues of an angle: a is (c √(1 + z1) + i s √(1 +
+    Those of the angles have poles at z = ∓1, with the residues of an angle: a is (c √(1 + z1) + i s √(1 +
     z2))/√2 times a unit factor whose angle has none, and b likewise; s, c are those of the nutation.
 
     Parameters
@@ -31,13 +31,13 @@ class Integrands:
     profile : Profile
     I1 : arb
     momenta : tuple of arb
-        v + P and v − P, exactly 0 where the axis may pass the pole
+        v + P and v − P, exactly 0 if the axis may pass the pole
     path : Nutation or None
-        None: k3 is at rest, and u is the time
+        None if k3 is at rest: then u is the time
     lower, upper : arb
-        k3 between them
+        the ends between which k3 moves
     gaps : tuple of (arb, arb)
-        √(1 ± z) at the lower and the upper end, exactly 0 where an end is a pole
+        √(1 ± z) at the lower and the upper end, exactly 0 if an end is a pole
     """
 
     level: Level
@@ -56,11 +56,11 @@ class Integrands:
 
     @cached_property
     def senses(self) -> list[int]:
-        """In which sense c √(1 ± z1) ± i s √(1 ± z2) turns: as its angle does near the pole."""
+        """The senses in which c √(1 ± z1) ± i s √(1 ± z2) turn: as their angles do near the pole."""
         return [(sign or 1) * (-1 if self.backward else 1) for sign in self.level.poles]
 
     def integrals(self, bits: int) -> Integrals:
-        """The time, and the smooth parts of the two angles."""
+        """Return the integrals of the time, and of the smooth parts of the two angles."""
         path = self.path
         if path is None:
             rates = [m / (2 * self.I1 * gap[0] ** 2) if m != 0 else arb(0)
@@ -78,7 +78,7 @@ class Integrands:
         return to_infinity(lambda u: self.rates(path, *path.shape(u)), limits, bits + 7)
 
     def rates(self, path: Nutation, s: arb, c: arb, turn: arb) -> list[arb]:
-        """dt/du, and d(angle)/du without the angle of c √(1 ± z1) ± i s √(1 ± z2)."""
+        """Return dt/du, and d(angle)/du without the angle of c √(1 ± z1) ± i s √(1 ± z2)."""
         time = self.I1 * path.scale / self._factor(path, s, c).sqrt() * (-1 if self.backward else 1)
         rates = [time]
         for level, (low, high), sense in zip(self.momenta, self.gaps, self.senses):
@@ -88,7 +88,7 @@ class Integrands:
         return rates
 
     def _factor(self, path: Nutation, s: arb, c: arb) -> arb:
-        """g/abs(q)."""
+        """Return g/abs(q)."""
         z = c * c * self.lower + s * s * self.upper
         if path.roots.leading is not None:
             return prod((abs(z - x) ** m for x, m in path.rest), start=abs(path.roots.leading))
@@ -99,11 +99,11 @@ class Integrands:
 
     @cached_property
     def ends(self) -> tuple[arb, ...]:
-        """s, c at the end at which a motion starts that starts at one."""
+        """The s and c at the end at which a motion starts that starts at one."""
         return LOW[:2] if self.level.turn > 0 else HIGH[:2]
 
     def start(self, height: arb) -> arb:
-        """u at the time 0."""
+        """Return u at the time 0."""
         if self.path is None:
             return arb(0)
         width = self.upper - self.lower
@@ -114,21 +114,24 @@ class Integrands:
         return self.path.start(s if self.level.direction >= 0 or self.backward else -s, c)
 
     def shape(self, u: arb) -> tuple[arb, arb, arb]:
-        """s, c and the rate of their angle."""
+        """Return s, c and the rate of their angle."""
         return LOW if self.path is None else self.path.shape(u)
 
     @cached_property
     def forms(self) -> Forms:
-        """The products of a and b without their unit factors, at the precision at which it is first asked."""
+        """The products of a and b without their unit factors.
+
+        They have the precision at which they are first asked.
+        """
         return forms(self.gaps, self.senses)
 
     def structure(self, s: arb, c: arb) -> list[acb]:
-        """√2 a and √2 b without their unit factors."""
+        """Return √2 a and √2 b without their unit factors."""
         return [acb(c * low, s * (sense * high)) for (low, high), sense in zip(self.gaps, self.senses)]
 
 
 def integrands(level: Level) -> Integrands:
-    """Those of a level, at the precision of the moment."""
+    """Return the integrands of a level, at the precision of the moment."""
     height, r = enclosed(level.height), enclosed(level.square_radius).sqrt()
     v, P = enclosed(level.level) / r, enclosed(level.axial)
     momenta = tuple(arb(0) if sign == 0 else v + side * P for side, sign in zip((1, -1), level.poles))

@@ -1,6 +1,6 @@
-"""The level of the integrals on which a body of revolution in U(k3) moves.
+"""The level of the integrals on which a body of revolution in U(k3) moves, in exact numbers.
 
-g(k3) = I1² k̇3², and what has to be decided of it, exactly.
+On it g(k3) = I1² k̇3², and whatever the kind of motion depends on is decided exactly.
 """
 from dataclasses import dataclass
 from functools import lru_cache
@@ -28,12 +28,12 @@ class Level(Stored):
 
     g(z) = (abs(p)² + 2 I1 (U(k3) − U(z))) (abs(k)² − z²) − (v − P z)².
 
-    The numbers are fmpq where all of them are rational and U is a polynomial, else expressions.
+    The numbers are fmpq if all of them are rational and U is a polynomial, else expressions.
 
     Parameters
     ----------
     scene : System
-        a body of revolution in U(k3), all of it numbers
+        a body of revolution in U(k3), at given numbers
     state : tuple of six Expr
         exact numbers; abs(k) > 0
     """
@@ -43,7 +43,7 @@ class Level(Stored):
 
     @cached_property
     def numbers(self) -> tuple[Any, ...]:
-        """I1, I3, l, then the state."""
+        """The numbers I1, I3, l, then the state."""
         body = self.scene.body
         given = (body.moments[0], body.moments[2], body.gyrostatic_momentum[2], *self.state)
         rational = self.field is not None and all(isinstance(x, Rational) for x in (*given, *self.field))
@@ -51,59 +51,59 @@ class Level(Stored):
 
     @cached_property
     def field(self) -> tuple[Expr, ...] | None:
-        """Coefficients of U, the constant first; None where it is no polynomial."""
+        """The coefficients of U, the constant first; None if it is no polynomial."""
         return coefficients(self.potential)
 
     @property
     def potential(self) -> Expr:
-        """U as a function of k3."""
+        """The potential U as a function of k3."""
         return self.scene.potential.expression if self.scene.potential else S.Zero
 
     @property
     def inertia(self) -> Any:
-        """I1."""
+        """The transverse moment I1."""
         return self.numbers[0]
 
     @property
     def height(self) -> Any:
-        """k3 at the start."""
+        """The value of k3 at the start."""
         return self.numbers[8]
 
     @cached_property
     def square_radius(self) -> Any:
-        """abs(k)²."""
+        """The square of abs(k)."""
         square = sum(x * x for x in self.numbers[6:])
         return square if isinstance(square, fmpq) or is_algebraic(square) else trigsimp(square)
 
     @cached_property
     def axial(self) -> Any:
-        """P = π3 + l."""
+        """The axial momentum P = π3 + l."""
         return self.numbers[5] + self.numbers[2]
 
     @cached_property
     def across(self) -> Any:
-        """abs(p)² = π1² + π2² at the start."""
+        """The square abs(p)² = π1² + π2² at the start."""
         return self.numbers[3] * self.numbers[3] + self.numbers[4] * self.numbers[4]
 
     @cached_property
     def twist(self) -> Any:
-        """π1 k1 + π2 k2 at the start, v − P k3."""
+        """The product π1 k1 + π2 k2 at the start, v − P k3."""
         return self.numbers[3] * self.numbers[6] + self.numbers[4] * self.numbers[7]
 
     @cached_property
     def level(self) -> Any:
-        """v = M·k."""
+        """The level v = M·k."""
         return self.twist + self.axial * self.height
 
     def _kinetic(self, z: Expr) -> tuple[Expr, Expr]:
-        """abs(p)² and its derivative at a value of k3."""
+        """Return abs(p)² and its derivative at a value of k3."""
         U, I1 = self.potential, expression(self.inertia)
         moved = U.xreplace({K3: expression(self.height)}) - U.xreplace({K3: z})
         return expression(self.across) + 2 * I1 * moved, -2 * I1 * U.diff(K3).xreplace({K3: z})
 
     @cached_property
     def polynomial(self) -> list[Any] | None:
-        """Coefficients of g, the constant first; None where U is no polynomial."""
+        """The coefficients of g, the constant first; None if U is no polynomial."""
         if self.field is None:
             return None
         U = [to_flint(c) if isinstance(self.height, fmpq) else c for c in self.field]
@@ -115,12 +115,12 @@ class Level(Stored):
 
     @cached_property
     def poles(self) -> tuple[int, int]:
-        """Signs of v + P abs(k) and v − P abs(k), 0 where the axis may pass the lower and the upper pole."""
+        """The signs of v + P abs(k) and v − P abs(k), 0 if the axis may pass the lower and the upper pole."""
         lower, upper = (self._sign(side * self.axial) for side in (1, -1))
         return lower, upper
 
     def _sign(self, axial: Any) -> int:
-        """Of v + P abs(k)."""
+        """Return the sign of v + P abs(k), without the root in abs(k)."""
         first, second = known(self.level), known(axial)
         if first * second >= 0:
             return first or second
@@ -128,13 +128,13 @@ class Level(Stored):
 
     @cached_property
     def direction(self) -> int:
-        """Sign of k̇3 at the start; at rest 0."""
+        """The sign of k̇3 at the start; at rest 0."""
         return known(self.numbers[4] * self.numbers[6] - self.numbers[3] * self.numbers[7])
 
     @cached_property
     def turn(self) -> int:
-        """Sign of k̈3 at the start where k̇3 is 0; 0 on a steady precession."""
-        if self.polynomial is None:                        # g′ by the rule of products
+        """The sign of k̈3 at the start if k̇3 is 0; 0 on a steady precession."""
+        if self.polynomial is None:                        # g′ by the product rule; 2 I1² k̈3 = g′
             _, fall = self._kinetic(self.height)
             return known(fall * (self.square_radius - self.height**2) - 2 * self.height * self.across
                          + 2 * self.axial * self.twist)
@@ -142,9 +142,9 @@ class Level(Stored):
 
     @cached_property
     def contact(self) -> tuple[int, int]:
-        """Multiplicity of −abs(k) and abs(k) as roots of g.
+        """The multiplicities of −abs(k) and abs(k) as roots of g.
 
-        0, 1, and 2 where the motion is asymptotic to the pole; 3 stands for more.
+        They are 0, 1, or 2 if the motion is asymptotic to the pole; 3 stands for more.
         """
         lower, upper = (self._multiplicity(sign, side) for sign, side in zip(self.poles, (-1, 1)))
         return lower, upper
@@ -161,33 +161,33 @@ class Level(Stored):
 
     @cached_property
     def at_pole(self) -> int:
-        """1 or −1 where the motion starts at the upper or the lower pole, else 0."""
+        """The sign 1 or −1 if the motion starts at the upper or the lower pole, else 0."""
         return known(self.height) if known(self.square_radius - self.height * self.height) == 0 else 0
 
 
 @lru_cache(maxsize=64)
 def coefficients(U: Expr) -> tuple[Expr, ...] | None:
-    """Of a polynomial in k3, the constant first; None where it is none."""
+    """Return the coefficients of a polynomial in k3, the constant first; None if it is none."""
     return tuple(reversed(Poly(U, K3).all_coeffs())) if U.is_polynomial(K3) else None
 
 
 def expression(number: Any) -> Expr:
-    """A number of either kind as an expression."""
+    """Return a number of either kind as an expression."""
     return to_sympy(number) if isinstance(number, fmpq) else S(number)
 
 
 def enclosed(number: Any) -> arb:
-    """An enclosure at the precision of the moment."""
+    """Return an enclosure at the precision of the moment."""
     return arb(number) if isinstance(number, fmpq) else ball(number, ctx.prec)
 
 
 def known(constant: Any) -> int:
-    """The sign of a constant, which has to be proved here.
+    """Return the sign of a constant, which has to be proved here.
 
     Raises
     ------
     ValuesError
-        it is not: it may be 0
+        it is not proved: the constant may be 0
     """
     if isinstance(constant, fmpq):
         return (constant > 0) - (constant < 0)

@@ -1,5 +1,6 @@
-"""k3 between two turning points as elliptic functions of a variable u in which time is smooth, however close
-other roots of g lie.
+"""Moves k3 between two turning points by elliptic functions of a variable u, in which time is smooth.
+
+It is smooth however close other roots of g lie.
 """
 from dataclasses import dataclass
 from typing import Any, NamedTuple
@@ -14,7 +15,7 @@ from .turning_points import Roots
 
 
 class Squares(NamedTuple):
-    """c², s² and s c of the angle of a nutation, and its rate in u."""
+    """The products c², s² and s c of the angle of a nutation, and its rate in u."""
 
     cosine: Any
     sine: Any
@@ -24,11 +25,11 @@ class Squares(NamedTuple):
 
 @dataclass(frozen=True)
 class Nutation:
-    """z = c² lower + s² upper with s² + c² = 1, where s : c is a ratio of elliptic functions of u.
+    """The motion z = c² lower + s² upper with s² + c² = 1, where s : c is a ratio of elliptic functions of u.
 
     They are such that dz/√abs(q(z)) is scale · du for a quartic q. The roots of q are the turning points and
-    the two other roots of g nearest to them: neighbours on the real line, or a conjugate pair. Where q is all
-    of g, u is proportional to time; elsewhere g/q is smooth.
+    the two other roots of g nearest to them: neighbours on the real line, or a conjugate pair. If q is all of
+    g, u is proportional to time; if not, g/q is smooth.
 
     Parameters
     ----------
@@ -39,8 +40,9 @@ class Nutation:
     complement : arb
         m1 of the elliptic functions
     ratio : arb
-        of s to c in them
+        the factor of s : c in them
     scale : arb
+        the factor of du
     used : tuple of acb
         the roots of q beside the turning points
     rest : list of (acb, int)
@@ -57,7 +59,7 @@ class Nutation:
 
     @property
     def quarter(self) -> arb | None:
-        """u from one turning point to the other; None where one of them is not reached."""
+        """The u from one turning point to the other; None if one of them is not reached."""
         return None if any(self.roots.double) else quarter_period(self.complement)
 
     @cached_property
@@ -70,11 +72,11 @@ class Nutation:
 
     @cached_property
     def landen(self) -> Landen | None:
-        """The steps of the elliptic functions in doubles; None of hyperbolic functions."""
+        """The steps of the elliptic functions in doubles; None for hyperbolic functions."""
         return None if self._doubles[0] == 0 else landen(self._doubles[0])
 
     def shape(self, u: arb) -> tuple[arb, arb, arb]:
-        """s, c, and d(atan(s/c))/du."""
+        """Return s, c, and d(atan(s/c))/du."""
         if self.kind == "passage":
             half = u.tanh()
             s, c = ((1 + half) / 2).sqrt(), ((1 - half) / 2).sqrt()
@@ -84,14 +86,18 @@ class Nutation:
         return s / square.sqrt(), c / square.sqrt(), turn / square
 
     def squares(self, u: Any, half: Any) -> Squares:
-        """c², s² and s c, and d(atan(s/c))/du, in doubles.
+        """Return c², s² and s c, and d(atan(s/c))/du, in doubles.
 
         Parameters
         ----------
         u : float or array
             abs(u) ≤ K
         half : pair of floats or arrays
-            sine and cosine of π u/2K, where there are landen steps
+            sine and cosine of π u/2K, if there are landen steps
+
+        Returns
+        -------
+        Squares
         """
         if self.kind == "passage":
             end, middle = np.tanh(u), 0.5 / np.cosh(np.clip(u, -710, 710))
@@ -104,7 +110,7 @@ class Nutation:
         return Squares(cosine * scale, sine * scale, s * c * scale, turn * scale)
 
     def _sides(self, sn: Any, cn: Any, dn: Any, m1: Any, ratio: Any) -> tuple[Any, Any, Any]:
-        """s and c up to a common factor, and the rate of their angle times its square."""
+        """Return s and c up to a common factor, and the rate of their angle times its square."""
         if self.kind == "pair":
             square = cn * cn
             return ratio * sn * dn, cn, ratio * (square * square + m1 * sn * sn * (1 + square))
@@ -113,7 +119,7 @@ class Nutation:
         return ratio * sn, cn, ratio * dn
 
     def start(self, s: arb, c: arb) -> arb:
-        """u where sin and cos of the angle are s and c, c ≥ 0."""
+        """Return the u at which sin and cos of the angle are s and c, c ≥ 0."""
         if self.kind == "passage":
             return (s / c).log()
         if self.kind == "neighbours above":
@@ -124,7 +130,7 @@ class Nutation:
         return side * argument(y, c, self.complement)
 
     def quartic(self, z: arb, double: bool) -> arb:
-        """abs(q(z)); at a double root, half of its second derivative."""
+        """Return abs(q(z)); at a double root, half of its second derivative."""
         value, left = arb(1), 2 if double else 0
         for x in (acb(self.roots.lower), acb(self.roots.upper), *self.used):
             if left and x.overlaps(acb(z)):
@@ -135,7 +141,7 @@ class Nutation:
 
 
 def nutation(roots: Roots) -> Nutation:
-    """The elliptic functions that suit the roots.
+    """Return the elliptic functions that suit the roots.
 
     References
     ----------
@@ -171,15 +177,15 @@ def nutation(roots: Roots) -> Nutation:
 
 
 def _distance(x: arb | acb, lower: arb, upper: arb) -> arb:
-    """The size of the ellipse with foci at the turning points through x, less that of the least.
+    """Return the size of the ellipse through x with foci at the turning points, less that of the least.
 
-    What is left next to them.
+    It is 0 between the turning points, and next to one of them about twice the distance from it.
     """
     return (abs(x - lower) + abs(x - upper) - (upper - lower)).mid()
 
 
 def _without(roots: Roots, used: tuple[acb, ...]) -> list[tuple[acb, int]]:
-    """The other roots, each of those used counted once less."""
+    """Return the other roots, each of those used counted once less."""
     rest = []
     for x, m in roots.others:
         left = m - sum(x.overlaps(y) for y in used)

@@ -1,6 +1,6 @@
-"""The precession and spin of a body of revolution in U(k3), with its nutation.
+"""The precession and spin of a body of revolution in U(k3), with its nutation, in balls.
 
-Every constant, and the state at any time, in balls.
+Every constant is enclosed, and so is the state at any time.
 """
 from dataclasses import dataclass
 
@@ -18,7 +18,7 @@ from .nutation import Squares
 from .series_integrals import Integrals
 
 MOST_BITS = 4096
-# bits by which a constant is better known than the results
+# bits by which a constant has to be better known than the results
 MARGIN = 20
 
 
@@ -26,19 +26,22 @@ MARGIN = 20
 class Precession:
     """A body of revolution in U(k3) from a state on, in balls.
 
-    The body turns by the Cayley-Klein parameters a = cos(θ/2) exp(i (φ + ψ)/2), b = sin(θ/2) exp(i (φ −
-    ψ)/2), which are smooth everywhere. With z = k3/abs(k), P = π3 + l, v = M·k/abs(k), Λ = P/I1 − π3/I3:
+    The body turns by the Cayley-Klein parameters a = cos(θ/2) exp(i (φ + ψ)/2) and b = sin(θ/2) exp(i (φ −
+    ψ)/2), which are smooth everywhere. With z = k3/abs(k), P = π3 + l, v = M·k/abs(k) and Λ = P/I1 − π3/I3:
 
-    arg a = −Λ t/2 + ∫ (v + P)/(2 I1 (1 + z)) dt,  arg b = Λ t/2 + ∫ (v − P)/(2 I1 (1 − z)) dt,  π1 + i π2 = 2
-        I1 (ā ḃ − b ā˙) without Λ.
+    arg a = −Λ t/2 + ∫ (v + P)/(2 I1 (1 + z)) dt,
+
+    arg b = Λ t/2 + ∫ (v − P)/(2 I1 (1 − z)) dt,
+
+    π1 + i π2 = 2 I1 (ā ḃ − b ā˙), without Λ.
 
     Parameters
     ----------
     integrands : Integrands
     integrals : Integrals
-        of the time and of the two angles, as functions of u
+        those of the time and of the two angles, as functions of u
     precision : int
-        bits at which all constants were computed
+        the bits at which all constants were computed
     pi3, r : arb
         π3, and abs(k)
     axial_rate : arb
@@ -46,7 +49,7 @@ class Precession:
     t0, angles : arb, two arb
         the integrals at the time 0
     factors : two acb
-        of a and b, of modulus 1
+        the factors of a and b, of modulus 1
 
     References
     ----------
@@ -65,7 +68,7 @@ class Precession:
     factors: tuple[acb, acb]
 
     def state(self, t: arb) -> list[arb]:
-        """(π, k) at a time, to as many bits as it was built for."""
+        """Return (π, k) at a time, to as many bits as it was built for."""
         with own_precision(self.precision):
             n, late, parts = 0, t + self.t0, self.integrands
             time, quarter = self.integrals.means[0], self.integrals.quarter
@@ -88,7 +91,7 @@ class Precession:
             return [p.real, p.imag, self.pi3, k.real, k.imag, c * c * parts.lower + s * s * parts.upper]
 
     def _inverse(self, t: arb) -> arb:
-        """u at a time after u = 0, by Newton's method from the double."""
+        """Return u at a time after u = 0, by Newton's method from the double."""
         if self.integrals.constant[0]:
             return t / self.integrals.means[0]
         u = arb(float(self.integrals.inverse(np.float64(double(t)))))
@@ -99,9 +102,9 @@ class Precession:
 
     @cached_property
     def gains(self) -> tuple[arb | None, arb, arb]:
-        """Period, and what φ and ψ gain in it.
+        """The period, and what φ and ψ gain in it.
 
-        Without a period None and what they gain in a unit of time, on a separatrix at its end.
+        Without a period it is None, and what they gain in a unit of time, on a separatrix at its end.
         """
         with own_precision(self.precision):
             last = -1 if self.integrands.backward else 1
@@ -116,15 +119,16 @@ class Precession:
 
 
 def precession(level: Level, bits: int = 53) -> Precession:
-    """The precession of a level to so many bits; 53 for doubles.
+    """Return the precession of a level to so many bits; 53 for doubles.
 
     Raises
     ------
     AccuracyError
         4096 bits of its constants do not tell the turning points apart
     ResolutionError
-        the integrals do not converge: more bits are no more nodes
+        the integrals do not converge, and more bits do not help: they give no more nodes
     """
+    # near a separatrix more bits are lost: then the precision is doubled
     precision = bits + 128
     while True:
         try:
@@ -138,12 +142,12 @@ def precession(level: Level, bits: int = 53) -> Precession:
 
 
 def _at_precision(level: Level, bits: int, precision: int) -> Precession:
-    """Every constant, at the precision of the moment, if it is enough.
+    """Return every constant, at the precision of the moment, if it is enough.
 
     Raises
     ------
     AccuracyError
-        it is not
+        the precision is not enough
     """
     I1, I3, _, p1, p2, pi3, k1, k2, k3 = (enclosed(x) for x in level.numbers)
     parts = integrands(level)
@@ -158,7 +162,7 @@ def _at_precision(level: Level, bits: int, precision: int) -> Precession:
 
 
 def _unit_factors(parts: Integrands, u: arb, rates: list[arb], p: acb, w: acb) -> tuple[acb, acb]:
-    """Those of a and b: from k1 + i k2, at a pole from π1 + i π2, and so that φ = 0."""
+    """Return the unit factors of a and b: from k1 + i k2, at a pole from π1 + i π2, so that φ = 0."""
     s, c, turn = parts.shape(u)
     if parts.level.direction == 0 and parts.path is not None:
         s, c = parts.ends
@@ -180,7 +184,7 @@ def _unit_factors(parts: Integrands, u: arb, rates: list[arb], p: acb, w: acb) -
 
 
 def _check(found: Precession, bits: int) -> None:
-    """That every constant is known: a length relatively, an angle by the radian, a time by the period."""
+    """Check that every constant is known: lengths relatively, angles by the radian, times by the period."""
     parts, integrals = found.integrands, found.integrals
     of_one = [*found.angles, *(x for factor in found.factors for x in (factor.real, factor.imag))]
     relative = [x for gap in parts.gaps for x in gap if x != 0] + [parts.I1, found.r, *parts.momenta]

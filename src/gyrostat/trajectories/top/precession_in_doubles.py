@@ -17,13 +17,14 @@ from .nutation import Squares
 from .precession import Precession
 from .series_integrals import Place
 
-REST = Squares(1.0, 0.0, 0.0, 0.0)                         # of k3 that does not move
+REST = Squares(1.0, 0.0, 0.0, 0.0)                         # if k3 does not move
 
 
 class Moment(NamedTuple):
-    """Where a nutation is at times.
+    """The place of a nutation at times.
 
-    Its periods and u since it was at u = 0; without a period the time from 0 on less the linear part of u.
+    It has its periods and u since it was at u = 0; without a period the time from 0 on less the linear part
+    of u.
     """
 
     t: Any
@@ -53,16 +54,16 @@ class Doubles:
 
     @cached_property
     def precession(self) -> "Angle":
-        """φ."""
+        """The angle φ."""
         return Angle(self.exact, 1)
 
     @cached_property
     def spin(self) -> "Angle":
-        """−ψ."""
+        """The angle −ψ."""
         return Angle(self.exact, -1)
 
     def moment(self, t: Any) -> Moment:
-        """Where the nutation is at times, numbers or a row."""
+        """Return the place of the nutation at times, numbers or a row."""
         if self.period is None:
             n, u = None, self.integrals.inverse(t + self.start)
         else:
@@ -77,11 +78,11 @@ class Doubles:
         return Moment(t, n, u, rest, place, REST if path is None else path.squares(u, half))
 
     def height(self, squares: Squares) -> Any:
-        """k3."""
+        """Return k3."""
         return squares.cosine * self.lower + squares.sine * self.upper
 
     def state(self, x: Array, t: Any) -> None:
-        """(π, k) at times, numbers or a row, into an array that has it along the last axis."""
+        """Enter (π, k) at times, numbers or a row, into an array that has it along the last axis."""
         moment = self.moment(t)
         squares, place = moment.squares, moment.place
         unit = self.spin.unit(moment)
@@ -95,7 +96,7 @@ class Doubles:
         x[..., 3], x[..., 4], x[..., 5] = 0 - self.r * k2, self.r * k1, self.height(squares)
 
     def attitude(self, R: Array, t: Any) -> None:
-        """R from body to space, into an array that has it along the last two axes."""
+        """Enter R from body to space into an array that has it along the last two axes."""
         moment = self.moment(t)
         values = [valued(form, moment.squares) for form in self.forms]
         rotation(R, values, self.precession.unit(moment), self.spin.unit(moment),
@@ -103,13 +104,13 @@ class Doubles:
 
 
 class Angle:
-    """φ or −ψ, but for the parts that the products of the Cayley-Klein parameters have.
+    """The angle φ or −ψ, without the parts that the products of the Cayley-Klein parameters have.
 
     Parameters
     ----------
     exact : Precession
     side : int
-        1 of φ = arg b + arg a, −1 of −ψ = arg b − arg a
+        1 for φ = arg b + arg a, −1 for −ψ = arg b − arg a
     """
 
     def __init__(self, exact: Precession, side: int):
@@ -127,11 +128,11 @@ class Angle:
                 self.whole = pair(2 * integrals.quarter * mean / turn)
             else:                                          # in a unit of time, before and after
                 self.ends = [pair((mean + end * step) / (time + end * jump) / turn) for end in (-1, 1)]
-            # π3 turns a and b against each other
+            # Λ t turns a and b against each other: it is in ψ alone
             self.axial: Twofold | None = pair(exact.axial_rate / turn) if side < 0 else None
 
     def unit(self, moment: Moment) -> tuple[Any, Any]:
-        """Cosine and sine of the angle."""
+        """Return cosine and sine of the angle."""
         smooth = self.curve.bounded(moment.place)
         if self.whole is not None:
             cycles, smooth = turns(moment.n, self.whole), smooth + self.curve.mean * moment.u
@@ -146,7 +147,7 @@ class Angle:
 
 
 def _argument(z: acb) -> arb:
-    """An angle of a number, from the half plane in which atan2 is continuous."""
+    """Return an angle of a number, from the half plane in which atan2 is continuous."""
     if z.real < 0:
         return arb.pi() + arb.atan2(-z.imag, -z.real)
     return arb.atan2(z.imag, z.real)

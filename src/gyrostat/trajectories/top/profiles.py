@@ -1,7 +1,4 @@
-"""g on a level of the integrals in balls.
-
-Its values and derivatives, and what is left of it next to a pole that is a root.
-"""
+"""Encloses g on a level of the integrals: its values, derivatives, and quotients by a root at a pole."""
 from functools import lru_cache
 
 from flint import arb, ctx
@@ -12,8 +9,9 @@ from .level import K3, Level, enclosed, expression
 
 
 class Profile:
-    """g(z) = T (r² − z²) − w², T = abs(p)² + 2 I1 (U(k3) − U(z)), w = v − P z, of a level, at the precision
-    of the moment.
+    """g(z) = T (r² − z²) − w² on a level, T = abs(p)² + 2 I1 (U(k3) − U(z)), w = v − P z, in balls.
+
+    It is at the precision of the moment at which it is made.
 
     Parameters
     ----------
@@ -34,11 +32,11 @@ class Profile:
         self.radius = self._square.sqrt()
 
     def kinetic(self, z: arb) -> arb:
-        """T = abs(p)²."""
+        """Return T = abs(p)²."""
         return self._across + 2 * self._inertia * (self._start - self._potential(z, 0))
 
     def __call__(self, z: arb, order: int = 0) -> arb:
-        """g, g′ or g″."""
+        """Return g, g′ or g″."""
         w = self._twist + self._axial * (self._height - z)
         if order == 0:
             return self.kinetic(z) * (self._square - z * z) - w * w
@@ -48,7 +46,10 @@ class Profile:
                 - 2 * self._axial * self._axial)
 
     def divided(self, z: arb, side: int, order: int = 0) -> arb:
-        """g/(r − side z) or its derivative, where the pole side · r is a root: w = P (side r − z)."""
+        """Return g/(r − side z) or its derivative, if the pole side · r is a root.
+
+        Then w = P (side r − z).
+        """
         square = self._axial * self._axial
         if order == 0:
             return self.kinetic(z) * (self.radius + side * z) - square * (self.radius - side * z)
@@ -58,11 +59,11 @@ class Profile:
         return ball(self._field[order], ctx.prec, {K3: z})
 
     def _fall(self, z: arb, order: int) -> arb:
-        """A derivative of T."""
+        """Return a derivative of T."""
         return -2 * self._inertia * self._potential(z, order)
 
 
 @lru_cache(maxsize=64)
 def derivatives(U: Expr) -> tuple[Expr, Expr, Expr]:
-    """U, U′ and U″ as functions of k3."""
+    """Return U, U′ and U″ as functions of k3."""
     return U, U.diff(K3), U.diff(K3, 2)

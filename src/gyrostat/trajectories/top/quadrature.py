@@ -1,4 +1,4 @@
-"""Integrals of smooth functions by the trapezoidal rule, which converges spectrally.
+"""Integrates smooth functions by the trapezoidal rule, which converges spectrally.
 
 The integrals are over a period, or from −∞ to ∞ in Chebyshev polynomials of tanh(u/2).
 """
@@ -9,27 +9,31 @@ from flint import acb, arb, fmpq
 from ...errors import AccuracyError, ResolutionError
 from .series_integrals import Integrals
 
-FEWEST, MOST = 12, 8192                                    # nodes
-# bits by which the integrands are better known than the series
+FEWEST, MOST = 12, 8192                                    # the least and the most nodes
+# bits by which the integrands have to be better known than the series
 GUARD = 50
 
 
 def over_a_period(sample: Callable[[arb], Sequence[arb]], quarter: arb, nodes: int, bits: int) -> Integrals:
-    """Integrals of even functions of period 2 K by the trapezoidal rule, the number of nodes doubled until
-    the series is exhausted.
+    """Return integrals of even functions of period 2 K, by the trapezoidal rule.
 
-    The error of the means is that of twice as many terms: the square of the last one.
+    The number of nodes is doubled until the series is exhausted. The error of the means is that of twice as
+    many terms: the square of the last one.
 
     Parameters
     ----------
-    sample : function of u
-        the values of all functions
+    sample : callable
+        gives the values of all functions at u
     quarter : arb
         K
     nodes : int
-        in half a period, to begin with
+        the number of nodes in half a period, to begin with
     bits : int
         the last terms are below 2^−bits of the largest value
+
+    Returns
+    -------
+    Integrals
 
     Raises
     ------
@@ -51,9 +55,9 @@ def over_a_period(sample: Callable[[arb], Sequence[arb]], quarter: arb, nodes: i
 
 def to_infinity(sample: Callable[[arb], Sequence[arb]], limits: tuple[Sequence[arb], Sequence[arb]],
                 bits: int) -> Integrals:
-    """Integrals of functions of u that have limits at −∞ and ∞, in Chebyshev polynomials of tanh(u/2).
+    """Return integrals of functions of u that have limits at −∞ and ∞, in Chebyshev polynomials of tanh(u/2).
 
-    See over_a_period.
+    The number of nodes is doubled as in over_a_period.
     """
     means = [(a + b) / 2 for a, b in zip(*limits)]
     jumps = [(b - a) / 2 for a, b in zip(*limits)]
@@ -69,9 +73,9 @@ def to_infinity(sample: Callable[[arb], Sequence[arb]], limits: tuple[Sequence[a
 
 
 def _sizes(sizes: Sequence[arb]) -> list[arb]:
-    """By what the accuracy of each function is measured, unless it is larger.
+    """Return by what the accuracy of each function is measured, unless it is larger.
 
-    Of the first, a time, by itself; of angles, by 1.
+    For the first, a time, that is its own size; for angles it is 1 at least.
     """
     first, *angles = sizes
     return [first, *(_size([size, arb(1)]) for size in angles)]
@@ -79,7 +83,7 @@ def _sizes(sizes: Sequence[arb]) -> list[arb]:
 
 def _converged(values: Callable[[int], list[Sequence[arb]]], least: Sequence[arb], nodes: int,
                bits: int) -> tuple[list[Sequence[arb]], list[list[arb]]]:
-    """Values at so many nodes that their series is exhausted, and the series."""
+    """Return values at so many nodes that their series is exhausted, and the series."""
     while nodes <= MOST:
         rows = values(nodes)
         sizes = [_size([size, *row]) for size, row in zip(least, rows)]
@@ -93,9 +97,9 @@ def _converged(values: Callable[[int], list[Sequence[arb]]], least: Sequence[arb
 
 
 def _spectra(rows: Sequence[Sequence[arb]]) -> list[list[arb]]:
-    """Coefficients of cos(j θ), j from 0, of values at θ = (i + ½) π/n, i from 0.
+    """Return coefficients of cos(j θ), j from 0, from values at θ = (i + ½) π/n, i from 0.
 
-    By the discrete Fourier transform of twice the row.
+    They come from the discrete Fourier transform of the row and its mirror image.
     """
     n = len(rows[0])
     shifts = [acb(*reversed(arb.sin_cos_pi_fmpq(fmpq(-j, 2 * n)))) for j in range(n)]
@@ -104,14 +108,14 @@ def _spectra(rows: Sequence[Sequence[arb]]) -> list[list[arb]]:
 
 
 def _enclosed(row: Sequence[arb], size: arb, bits: int) -> Sequence[arb]:
-    """The row, one that may be 0 throughout as 0, if it is known well enough for means in two doubles."""
+    """Return a row, as 0 if it may be 0 throughout; refuse one too rough for means in two doubles."""
     if not all(x.is_finite() and x.rad() <= size * arb(2) ** -(bits + GUARD) for x in row):
         raise AccuracyError(f"the integrands are not known to {bits + GUARD} bits")
     return [arb(0)] * len(row) if all(x.contains(0) for x in row) else row
 
 
 def _exhausted(sizes: Sequence[arb], spectra: Sequence[Sequence[arb]], bits: int) -> bool:
-    """Whether the last terms are below 2^−bits of the size."""
+    """Tell whether the last terms are below 2^−bits of the size."""
     last = -max(len(spectra[0]) // 6, 2)
     return all(max(map(abs, s[last:]), key=float) <= size * arb(2) ** -bits
                for size, s in zip(sizes, spectra))
@@ -119,9 +123,9 @@ def _exhausted(sizes: Sequence[arb], spectra: Sequence[Sequence[arb]], bits: int
 
 def _trimmed(rows: Sequence[Sequence[arb]], sizes: Sequence[arb], spectra: list[list[arb]],
              bits: int) -> list[list[arb]]:
-    """Without the terms at the end that are below the rounding error.
+    """Return the series without the terms at the end that are below the rounding error.
 
-    Of a constant, without any but the first.
+    A constant keeps the first term alone.
     """
     spectra = [[s[0], *[arb(0)] * (len(s) - 1)] if all(v.overlaps(row[0]) for v in row) else s
                for row, s in zip(rows, spectra)]
@@ -132,12 +136,12 @@ def _trimmed(rows: Sequence[Sequence[arb]], sizes: Sequence[arb], spectra: list[
 
 
 def _size(row: Sequence[arb]) -> arb:
-    """The largest modulus, of the middle."""
+    """Return the largest modulus of the middles."""
     return max((abs(x.mid()) for x in row), key=float)
 
 
 def _antiderivative(a: Sequence[arb]) -> list[arb]:
-    """Coefficients of the integral from 0 of Σ a_j T_j."""
+    """Return coefficients of the integral from 0 of Σ a_j T_j."""
     a = [2 * a[0], *a[1:], arb(0), arb(0)]
     b = [arb(0), *((a[j - 1] - a[j + 1]) / (2 * j) for j in range(1, len(a) - 1))]
     b[0] = -sum(((-1) ** (j // 2) * c for j, c in enumerate(b) if j % 2 == 0), arb(0))     # T_j(0)

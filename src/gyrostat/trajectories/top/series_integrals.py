@@ -1,4 +1,4 @@
-"""Integrals of smooth functions: a linear part and a series, at any place in doubles or balls."""
+"""Integrals of smooth functions as a linear part and a series, at any place in doubles or balls."""
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, NamedTuple
@@ -11,13 +11,13 @@ from ...algebra.enclosures.floats import Array
 from ...algebra.enclosures.precision import own_precision
 from ..periods import double
 
-# of Newton's method; where a function has reached its limit
+# the most steps of Newton's method; the u at which a function has reached its limit in doubles
 MOST_STEPS, FAR = 40, 40.0
-ROUNDED = 256                                              # bits at which sums are rounded to doubles
+ROUNDED = 256                                              # bits of sums that are rounded to doubles
 
 
 class Place(NamedTuple):
-    """Where a series is summed."""
+    """The place at which a series is summed."""
 
     y: Any
     """cos w, w = π u/K; at infinity tanh(u/2)."""
@@ -34,10 +34,11 @@ class Curve:
     mean, jump : float
         the linear part is mean u + jump abs(u)
     terms : list of float
-        of sin(j w), j from 1; at infinity T_j(y), j from 0
+        the coefficients of sin(j w), j from 1; at infinity of T_j(y), j from 0
     slopes : list of float
-        of the function: of cos(j w), j from 0; at infinity (1 − y²)/2 T_j(y)
+        those of the function: of cos(j w), j from 0; at infinity of (1 − y²)/2 T_j(y)
     periodic : bool
+        whether the function has a period, and no limits at infinity
     """
 
     mean: float
@@ -47,13 +48,13 @@ class Curve:
     periodic: bool
 
     def bounded(self, place: Place) -> Any:
-        """The integral less its linear part."""
+        """Return the integral less its linear part."""
         if self.periodic:
             return place.x * _clenshaw(self.terms, 2 * place.y)[0]
         return self.jump * place.x + _chebyshev(self.terms, place.y)
 
     def rate(self, place: Place) -> Any:
-        """The function."""
+        """Return the function."""
         if self.periodic:
             return _chebyshev(self.slopes, place.y)
         y = place.y
@@ -62,18 +63,18 @@ class Curve:
 
 @dataclass(frozen=True)
 class Integrals:
-    """∫₀ᵘ f for each f of a list: means[i] u + 2 jumps[i] log cosh(u/2) + a series.
+    """The integrals ∫₀ᵘ f for each f of a list: means[i] u + 2 jumps[i] log cosh(u/2) + a series.
 
     Parameters
     ----------
     means : tuple of arb
         mean values; at infinity the mean of the two limits
     jumps : tuple of arb
-        half the difference of the limits; 0 of periodic functions
+        half the difference of the limits; 0 for periodic functions
     series : list of list of arb
-        of sin(j π u/K), j from 1; at infinity the Chebyshev polynomials T_j of tanh(u/2), j from 0
+        the coefficients of sin(j π u/K), j from 1; at infinity of Chebyshev's T_j of tanh(u/2), j from 0
     quarter : arb or None
-        K, half a period of u; None: the functions have limits at infinity
+        K, half a period of u; None if the functions have limits at infinity
     nodes : int
         values of each f that were used
     """
@@ -86,11 +87,11 @@ class Integrals:
 
     @cached_property
     def constant(self) -> list[bool]:
-        """Which of the functions are constants."""
+        """Whether each of the functions is a constant."""
         return [all(x == 0 for x in (*row, jump)) for row, jump in zip(self.series, self.jumps)]
 
     def curve(self, weights: Sequence[int]) -> Curve:
-        """A sum of the integrals in doubles, each so many times."""
+        """Return a sum of the integrals in doubles, each so many times."""
         with own_precision(ROUNDED):
             mean, jump, *terms = (double(sum((n * x for n, x in zip(weights, column)), arb(0)))
                                   for column in (self.means, self.jumps, *zip(*self.series)))
@@ -107,24 +108,24 @@ class Integrals:
 
     @cached_property
     def rate(self) -> float:
-        """π/2K, 0 at infinity."""
+        """The rate π/2K, 0 at infinity."""
         with own_precision(ROUNDED):
             return 0.0 if self.quarter is None else double(arb.pi() / (2 * self.quarter))
 
     def half(self, u: Any) -> tuple[Any, Any] | None:
-        """Sine and cosine of π u/2K; None at infinity."""
+        """Return sine and cosine of π u/2K; None at infinity."""
         return (np.sin(self.rate * u), np.cos(self.rate * u)) if self.rate else None
 
     def place(self, u: Any, half: tuple[Any, Any] | None) -> Place:
-        """Where curves are summed for u, numbers or arrays, from what half says of it."""
+        """Return the place where curves are summed for u, numbers or arrays, from what half says of it."""
         if half is None:
             return Place(np.tanh(u / 2), 2 * (np.log1p(np.exp(-np.abs(u))) - np.log(2.0)))
         sine, cosine = half
-        # cos² − sin² would be off by more where the series is steep
+        # the cosine of twice the angle: cos² − sin² would be off by more where the series is steep
         return Place(np.cos(2 * self.rate * u), 2 * sine * cosine)
 
     def at(self, u: arb) -> tuple[list[arb], list[arb]]:
-        """The integrals, linear parts included, and the functions, in balls."""
+        """Return the integrals, linear parts included, and the functions, in balls."""
         values, slopes = [], []
         if self.quarter is not None:
             w = arb.pi() / self.quarter
@@ -149,7 +150,10 @@ class Integrals:
         return values, slopes
 
     def inverse(self, values: Any) -> Any:
-        """u where the first of the integrals, which is monotonic, has these values, numbers or an array."""
+        """Return the u at which the first of the integrals, which is monotonic, has these values.
+
+        The values are numbers or an array; Newton's method starts from a table.
+        """
         time = self.time
         if self.constant[0]:
             return values / time.mean
@@ -167,7 +171,7 @@ class Integrals:
 
     @cached_property
     def _grid(self) -> tuple[Array, Array]:
-        """u and the first integral, in the order of its values, where Newton's method begins."""
+        """The u and the first integral, in the order of its values, at which Newton's method begins."""
         end = FAR if self.quarter is None else double(self.quarter)
         time = self.time
         grid = np.linspace(-end, end, 8 * len(self.series[0]) + 64) * np.sign(time.mean)
@@ -176,13 +180,13 @@ class Integrals:
 
 
 def _needed(terms: Sequence[float], mean: float) -> list[float]:
-    """Without those at the end that the sum of them all, in doubles, does not see."""
+    """Return the terms without those at the end that the sum of them all, in doubles, does not see."""
     least = 2.0**-60 * max(map(abs, [mean, *terms]))
     return list(terms[:max((j for j, x in enumerate(terms, 1) if abs(x) > least), default=0)])
 
 
 def _clenshaw(terms: Sequence[float], twice: Any) -> tuple[Any, Any]:
-    """The last two of b_j = c_j + 2 y b_(j+1) − b_(j+2), the first being Σ c_j U_j(y)."""
+    """Return the last two of b_j = c_j + 2 y b_(j+1) − b_(j+2), the first being Σ c_j U_j(y)."""
     here: Any = 0.0
     last: Any = 0.0
     for c in reversed(terms):
@@ -194,6 +198,6 @@ def _clenshaw(terms: Sequence[float], twice: Any) -> tuple[Any, Any]:
 
 
 def _chebyshev(terms: Sequence[float], y: Any) -> Any:
-    """Σ c_j T_j(y)."""
+    """Return Σ c_j T_j(y), by Clenshaw's recurrence."""
     here, last = _clenshaw(terms[1:], 2 * y)
     return y * here - last + (terms[0] if terms else 0.0)

@@ -1,6 +1,6 @@
-"""The motion of a body of revolution in U(k3) in doubles.
+"""The motion of a body of revolution in U(k3) in doubles, at any time.
 
-k3 by elliptic functions, the two angles by series, at any time.
+k3 moves by elliptic functions, the two angles by series.
 """
 from collections.abc import Callable
 from typing import Any
@@ -16,7 +16,7 @@ from .level import Level, enclosed, known
 from .precession import precession
 from .precession_in_doubles import Doubles
 
-BLOCK = 8192                                               # times that a cache holds
+BLOCK = 8192                                               # times at once, so that they fit a cache
 
 
 class AxialMotion:
@@ -26,7 +26,7 @@ class AxialMotion:
     ----------
     level : Level
     bits : int
-        of the states in balls; 53 for doubles
+        bits of the states in balls; 53 for doubles
     """
 
     enclosed, recognised, axis = True, "", (0.0, 0.0, 1.0)
@@ -43,43 +43,43 @@ class AxialMotion:
         return Doubles(self.exact)
 
     def state(self, t: Array) -> Array:
-        """(π, k) at times of any shape, shape (..., 6)."""
+        """Return (π, k) at times of any shape, shape (..., 6)."""
         return _in_blocks(self._doubles.state, t, (6,))
 
     def attitude(self, t: Array) -> Array:
-        """R from body to space, shape (..., 3, 3)."""
+        """Return R from body to space, shape (..., 3, 3)."""
         return _in_blocks(self._doubles.attitude, t, (3, 3))
 
     def ball_state(self, t: arb, _: int) -> list[arb]:
-        """(π, k) at a time, to as many bits as the motion was built for."""
+        """Return (π, k) at a time, to as many bits as the motion was built for."""
         return self.exact.state(t)
 
     def exact_period(self, _: int) -> arb | None:
-        """Of the nutation, as exact as the motion was built."""
+        """Return the period of the nutation, as exact as the motion was built."""
         return self.exact.gains[0]
 
     def exact_angles(self, _: int) -> tuple[arb, arb]:
-        """What precession and spin say, as exact as the motion was built."""
+        """Return what precession and spin say, as exact as the motion was built."""
         return self.exact.gains[1:]
 
     @property
     def period(self) -> float | None:
-        """Of the nutation [T]; None at rest and on a separatrix."""
+        """The period of the nutation [T]; None at rest and on a separatrix."""
         return None if self.exact.gains[0] is None else double(self.exact.gains[0])
 
     @property
     def precession(self) -> float:
-        """What φ gains in a period, or its rate."""
+        """The angle that φ gains in a period, or its rate."""
         return double(self.exact.gains[1])
 
     @property
     def spin(self) -> float:
-        """What ψ gains in a period, or its rate."""
+        """The angle that ψ gains in a period, or its rate."""
         return double(self.exact.gains[2])
 
     @cached_property
     def name(self) -> str:
-        """What kind of motion it is, or how it is computed."""
+        """The name of the kind of motion, or of how it is computed."""
         parts, level = self.exact.integrands, self.exact.integrands.level
         if parts.path is None:
             point = dict(zip(level.scene.space.coordinates, level.state))
@@ -92,17 +92,17 @@ class AxialMotion:
 
     @property
     def limits(self) -> tuple[float, float]:
-        """Lowest and highest k3."""
+        """The lowest and highest k3."""
         return double(self.exact.integrands.lower), double(self.exact.integrands.upper)
 
     @property
     def nodes(self) -> int:
-        """Values of the integrands that were taken."""
+        """The number of values of the integrands that were taken."""
         return self.exact.integrals.nodes
 
     @cached_property
     def error(self) -> float:
-        """Of a state in doubles, estimated: the rounding of what turns within a period."""
+        """The error of a state in doubles, estimated: the rounding of what turns within a period."""
         parts = self.exact.integrands
         with own_precision(self.exact.precision):
             across = [abs(double(parts.profile.kinetic(end))) ** 0.5 for end in (parts.lower, parts.upper)]
@@ -112,7 +112,7 @@ class AxialMotion:
 
 
 def _in_blocks(fill: Callable[[Array, Any], None], t: Array, shape: tuple[int, ...]) -> Array:
-    """What is filled in at times of any shape; one time is a number."""
+    """Return what is filled in at times of any shape; one time is a number."""
     found = np.empty((*t.shape, *shape))
     if t.ndim == 0:
         fill(found, t[()])

@@ -1,4 +1,8 @@
-"""Turning points: between which roots of g a body of revolution in U(k3) nutates, proved."""
+"""Proves the turning points: the roots of g between which a body of revolution in U(k3) nutates.
+
+Roots of a polynomial g are isolated at once; those of another function by bisection, and both by Newton's
+method in balls.
+"""
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -13,9 +17,9 @@ from .level import Level, enclosed
 from .profiles import Profile
 
 FOLLOWED = 24                                              # coefficients of a polynomial that stands for g
-# times closer than the size of an interval: not known well from it
+# a root that is so many times closer than the interval is long is not known well from it
 CLOSE = 50
-KNOWN = 64                                                 # bits of g from which they come
+KNOWN = 64                                                 # bits of g from which such a polynomial is made
 
 
 @dataclass(frozen=True)
@@ -28,9 +32,9 @@ class Roots:
     double : (bool, bool)
         whether they are double roots, which are approached and not reached
     others : list of (acb, int)
-        with multiplicity; where g is no polynomial, approximately and not all
+        the other roots with multiplicity; if g is no polynomial, they are approximate and not all
     leading : arb or None
-        coefficient of a polynomial g
+        the leading coefficient of a polynomial g
     """
 
     lower: arb
@@ -41,7 +45,7 @@ class Roots:
 
 
 def roots_of(level: Level) -> Roots:
-    """The roots of g between which k3 moves and those around, at the precision of the moment (flint.ctx).
+    """Return the roots of g between which k3 moves and those around, at the precision of flint.ctx.
 
     Raises
     ------
@@ -66,7 +70,7 @@ def roots_of(level: Level) -> Roots:
 
 
 def _ends(level: Level, found: Sequence[tuple[acb, int]]) -> list[tuple[arb, int]]:
-    """Of all roots those between which the motion is."""
+    """Return the two of all roots between which the motion is."""
     z = enclosed(level.height)
     at_start = level.direction == 0
     ends: list[tuple[arb, int]] = []
@@ -84,7 +88,7 @@ def _ends(level: Level, found: Sequence[tuple[acb, int]]) -> list[tuple[arb, int
 
 
 def _of_polynomial(level: Level, g: Sequence[Any]) -> list[tuple[acb, int]]:
-    """All roots with their multiplicities."""
+    """Return all roots with their multiplicities."""
     if isinstance(g[0], fmpq):
         refuse_close(fmpq_poly(g).numer())
         return [(acb(x), m) for x, m in fmpq_poly(g).complex_roots()]
@@ -98,7 +102,10 @@ def _of_polynomial(level: Level, g: Sequence[Any]) -> list[tuple[acb, int]]:
 
 
 def _simple(polynomial: arb_poly) -> list[acb]:
-    """The simple roots of a polynomial, by Newton's method in balls; the imaginary part of real ones is 0."""
+    """Return the simple roots of a polynomial, by Newton's method in balls.
+
+    The imaginary part of real ones is exactly 0.
+    """
     try:
         isolated = polynomial.complex_roots(tol=arb(2) ** (-ctx.prec // 2), maxprec=8 * ctx.prec)
     except ValueError as error:
@@ -115,7 +122,7 @@ def _simple(polynomial: arb_poly) -> list[acb]:
 
 
 def _of_function(level: Level) -> tuple[list[tuple[acb, int]], list[tuple[arb, int]]]:
-    """Other roots, approximately; and the turning points."""
+    """Return other roots, approximately; and the turning points."""
     g, ends = Profile(level), list[tuple[arb, int]]()
     for side, m in zip((-1, 1), level.contact):
         if level.direction == 0 and level.turn == -side:
@@ -130,9 +137,10 @@ def _of_function(level: Level) -> tuple[list[tuple[acb, int]], list[tuple[arb, i
 
 
 def _first(level: Level, g: Profile, side: int, m: int) -> arb | None:
-    """The root of g nearest to the start on the way to a pole.
+    """Return the root of g nearest to the start on the way to a pole.
 
-    None: there is none before the pole, a root itself of order m.
+    It is isolated by bisection, then enclosed by Newton's method. It is None if there is none before the
+    pole, a root itself of order m.
     """
     def value(x: arb) -> arb:
         return g(x) if m == 0 else g.divided(x, side)
@@ -167,9 +175,9 @@ def _first(level: Level, g: Profile, side: int, m: int) -> arb | None:
 
 
 def _around(g: Profile, ends: Sequence[tuple[arb, int]]) -> list[acb]:
-    """Other roots, approximately.
+    """Return other roots, approximately.
 
-    Of polynomials that interpolate g around the motion, and around what it almost meets.
+    They are those of polynomials that interpolate g around the motion, and around what it almost meets.
     """
     (lower, _), (upper, _) = ends
     width = upper - lower
@@ -178,7 +186,7 @@ def _around(g: Profile, ends: Sequence[tuple[arb, int]]) -> list[acb]:
     for x, m in ends:
         others = sorted(others, key=lambda y: abs(y - x).mid())[m:]
     for x, m in ends:
-        beyond = x - 2 * g(x, 1) / g(x, 2)  # of the parabola there
+        beyond = x - 2 * g(x, 1) / g(x, 2)  # the other root of the parabola that touches g there
         if m == 1 and CLOSE * abs(beyond - x) < width:
             others += [] if any(abs(beyond - y) < abs(beyond - x) for y in others) else [acb(beyond)]
         others = _closer(g, x, m, others, width)
@@ -188,7 +196,7 @@ def _around(g: Profile, ends: Sequence[tuple[arb, int]]) -> list[acb]:
 
 
 def _beside(others: Sequence[acb], lower: arb, upper: arb) -> list[arb]:
-    """Where a pair is close to the motion, the closest last.
+    """Return where a pair is close to the motion, the closest last.
 
     Real roots in there are none of g: two of them stand for a pair that is closer than is known.
     """
@@ -199,14 +207,14 @@ def _beside(others: Sequence[acb], lower: arb, upper: arb) -> list[arb]:
 
 
 def _to_an_end(x: arb, lower: arb, upper: arb) -> arb:
-    """The distance to the nearest turning point; negative outside."""
+    """Return the distance to the nearest turning point; negative outside."""
     return min(x - lower, upper - x, key=arb.mid)
 
 
 def _closer(g: Profile, x: arb, m: int, others: list[acb], width: arb) -> list[acb]:
-    """The others, those next to x found again.
+    """Return the others, those next to x found again.
 
-    On smaller and smaller intervals, until they are as far from it as an interval is long.
+    They are found on smaller and smaller intervals, until they are as far from it as an interval is long.
     """
     while CLOSE * (least := min((abs(y - x).mid() for y in others), default=width)) < width:
         width = max(8 * least, width / CLOSE, key=arb.mid).mid()
@@ -217,7 +225,7 @@ def _closer(g: Profile, x: arb, m: int, others: list[acb], width: arb) -> list[a
 
 
 def _interpolated(g: Profile, low: arb, high: arb) -> list[acb]:
-    """Roots of the polynomial that interpolates g on an interval, as far as k3 can be there."""
+    """Return roots of the polynomial that interpolates g on an interval, as far as k3 can be there."""
     low, high = max(low, -g.radius, key=arb.mid), min(high, g.radius, key=arb.mid)
     middle, half = ((low + high) / 2).mid(), ((high - low) / 2).mid()
     nodes = [arb.cos_pi_fmpq(fmpq(2 * j + 1, 2 * FOLLOWED)) for j in range(FOLLOWED)]
