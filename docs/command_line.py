@@ -9,7 +9,6 @@ from sphinx.application import Sphinx
 
 from gyrostat.cli.parser import parser
 
-
 COLUMNS = 76                                           # of what the site shows as code
 
 
