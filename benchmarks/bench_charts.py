@@ -25,7 +25,7 @@ import gyrostat as gs
 from gyrostat.charts.boxes.certified_boxes import certified_chart
 from gyrostat.charts.chart import stability_chart
 from gyrostat.charts.codes import CODE_OF
-from gyrostat.plotting import caption, draw_chart
+from gyrostat.plotting import draw_chart
 
 BODY = gs.symmetric_gyrostat()
 TOP = gs.analyze(gs.upright(gs.assemble(BODY, gs.uniform_field())))
@@ -43,7 +43,7 @@ def picture(report, x, y, fixed):
     """The chart, and its picture as bytes."""
     chart = stability_chart(report, x=x, y=y, fixed=fixed)
     figure, file = Figure(), io.BytesIO()
-    draw_chart(chart, figure.subplots(), title=caption(chart))
+    draw_chart(chart, figure.subplots())
     figure.savefig(file, format="png", dpi=150)
     return chart
 

@@ -211,8 +211,9 @@ def test_free_bodies(capsys):
     ("decide", [*FIELD, *POINT, *sets(SETS), "--set", "b=1"], "E has no parameter b"),
     ("decide", [*FIELD, *POINT], "E needs I1"),
     ("chart", [*FIELD, "--x", "l=0:1:2", "--y", "a=0:1:2", "--output", "chart.png"],
-     "no equilibrium is named, and a chart shows one: name E1, E2, E3 or permanent-rotation, or give its point"),
-    ("motion", ["--potential", "U(k3)", "--state", "0,0,1,0,0,1", "--until", "1"], "no motion follows from an unspecified U"),
+     "a chart shows one: name E1, E2, E3 or permanent-rotation, or give its point"),
+    ("motion", ["--potential", "U(k3)", "--state", "0,0,1,0,0,1", "--until", "1"],
+     "no motion follows from an unspecified U"),
     ("motion", ["--potential", "k3", "--until", "1"], "--state is missing")])
 def test_bad_input(capsys, verb, arguments, why):
     """One sentence."""

@@ -7,9 +7,11 @@ import pytest
 from commands import run
 from slow import slow
 
-PAGES = sorted((Path(__file__).parents[2] / "docs" / "how-to").glob("*.md"))
+ROOT = Path(__file__).parents[2]
+PAGES = [ROOT / "README.md", *sorted(ROOT.glob("docs/**/*.md"))]
 FILE = re.compile(r"```toml\n# (\S+)\n(.*?)```", re.DOTALL)                 # its name stands on top of it
 SHOWN = re.compile(r"```sh\n((?:[^\n`]*\\\n)*[^\n`]*)\n```\n\n```text\n(.*?)```", re.DOTALL)
+OUTPUT = re.compile(r"```text\n(.*?)```", re.DOTALL)
 CASES = [(page, command.replace("\\\n", ""), output) for page in PAGES
          for command, output in SHOWN.findall(page.read_text(encoding="utf-8"))]
 
@@ -25,3 +27,48 @@ def test_an_output_is_what_the_command_above_it_prints(capsys, tmp_path, monkeyp
     _, out, _ = run(capsys, *arguments, verb=verb)
     assert program == "gyrostat"
     assert re.fullmatch(".*".join(map(re.escape, output.split("⋮\n"))), out, re.DOTALL)
+
+
+def alone(name):
+    """The outputs on a how-to page that stand below no command."""
+    text = (ROOT / "docs" / "how-to" / name).read_text(encoding="utf-8")
+    below = [output for _, output in SHOWN.findall(text)]
+    return [output for output in OUTPUT.findall(text) if output not in below]
+
+
+def test_every_output_is_compared():
+    """Below its command, but for two refusals."""
+    outputs = [output for page in PAGES for output in OUTPUT.findall(page.read_text(encoding="utf-8"))]
+    assert len(outputs) == len(CASES) + len(alone("large-stores.md")) + len(alone("check-a-paper.md"))
+    assert len(outputs) == len(CASES) + 2
+
+
+def test_a_store_of_another_chart_is_refused_as_its_page_says(capsys, tmp_path, monkeypatch):
+    """With other axes."""
+    pytest.importorskip("zarr")
+    monkeypatch.setenv("COLUMNS", "76")
+    monkeypatch.chdir(tmp_path)
+    top = ("--equilibrium", "upright", "--potential", "m0*k3", "--set", "I1=1", "--y", "l=-2:2:10",
+           "--axis", "m0=0:2:2", "--output", "top.zarr")
+    for x in ("pi3_0=-4:4:20", "pi3_0=-4:4:10"):
+        status, _, err = run(capsys, *top, "--x", x, verb="chart")
+    assert status == 2 and [err.replace(f"{tmp_path}/", "").split()] == [
+        output.split() for output in alone("large-stores.md")]
+
+
+def test_a_letter_of_two_meanings_is_refused_as_its_page_says(capsys, tmp_path, monkeypatch):
+    """In a formula about m g h k3."""
+    monkeypatch.setenv("COLUMNS", "76")
+    monkeypatch.chdir(tmp_path)
+    Path("my_paper.toml").write_text("""
+        source = { name = "mine", title = "A paper" }
+        scene = { top = { potential = "m*g*h*k3" } }
+        [[formula]]
+        key = "energy"
+        where = "eq. (1)"
+        quantity = "h"
+        printed = "pi1"
+        kind = "identity"
+        scene = "top" """)
+    status, _, err = run(capsys, "my_paper.toml", verb="verify")
+    assert status == 2 and [err] == alone("check-a-paper.md")

@@ -14,11 +14,12 @@ from sympy import Rational
 
 import gyrostat as gs
 from gyrostat.plotting import draw_bifurcation_diagram
+from gyrostat.plotting.bifurcations import SHAPES
 
 AXES = ("omega", "l", "I1", "I3", "c1", "c2")
 STABLE = "stable"
-CHANGES = {"changes: fold on a level": None, "changes: precessions leave E1": 1,
-           "changes: precessions leave E2": -1}
+CHANGES = {"fold on a level": None, "precessions leave E1": 1,
+           "precessions leave E2": -1}
 MEETINGS = {"fold at fixed rate", "pitchfork at fixed rate", "crossing at fixed rate"}
 
 
@@ -138,8 +139,8 @@ def check(seed):
     marks = {}
     for line in ax.lines:
         if line.get_marker() != "None":
-            label = next(t for t, h in handles.items() if h.get_marker() == line.get_marker()
-                         and h.get_linestyle() == "None")
+            label = next(t for t in (*handles, *(text.get_text() for text in ax.texts))
+                         if (handles[t].get_marker() if t in handles else SHAPES.get(t)) == line.get_marker())
             marks.setdefault(label, []).extend(map(tuple, line.get_xydata()))
     curves = [line for line in ax.lines if line.get_marker() == "None"]
     poles = {s: [c for c in curves if (c.get_ydata() == s).all()] for s in (1, -1)}
@@ -207,10 +208,10 @@ def marked(tilted, poles, marks, values, pole, name, ends, seed):
         if low < x < high:
             assert (x, k) in known or len(styles) == 2, (seed, x, k)
             assert (len(set(styles)) > 1) == ((x,
-                                               k) in marks.get("changes: fold on a level", [])), (seed, x, k)
+                                               k) in marks.get("fold on a level", [])), (seed, x, k)
     for s, lines in poles.items():
         inside = {tuple(point) for c in lines for point in c.get_xydata()[[0, -1]] if low < point[0] < high}
-        assert inside == {p for p in marks.get(f"changes: precessions leave E{1 if s == 1 else 2}", [])
+        assert inside == {p for p in marks.get(f"precessions leave E{1 if s == 1 else 2}", [])
                           if low < p[0] < high}, seed
     for label, points in marks.items():
         for x, k in points:
@@ -221,7 +222,7 @@ def marked(tilted, poles, marks, values, pole, name, ends, seed):
                     margin(at, pole, k) if CHANGES[label] is None else pole_margin(at, pole, CHANGES[label])
                 )
                 assert abs(value) < 1e-6 * size, (seed, label, x, k)
-            if label not in ("changes: precessions leave E1", "changes: precessions leave E2",
+            if label not in ("precessions leave E1", "precessions leave E2",
                              "U is infinite"):
                 assert abs(relation(at, pole, k)) < 1e-6 * size, (seed, label, x, k)
             if label in MEETINGS:

@@ -3,6 +3,7 @@
 Every vertex, every mark and its name, without the library.
 """
 import random
+import re
 from fractions import Fraction
 from itertools import pairwise
 
@@ -213,12 +214,16 @@ def bound(roots, largest):
 
 def marked(ax, spectrum, expected, seed):
     """Each collision has its name, its value and its eigenvalues, and nothing else has any."""
-    texts = [t.get_text() for t in ax.get_legend().get_texts()] if ax.get_legend() else []
+    handles = ax.get_legend().legend_handles if ax.get_legend() else []
+    named = {(h.get_marker(), *h.get_label().split(", ")) for h in handles}
     claimed = []
-    for text in texts:
-        words, numbers = text.split(" at $")[0], text.split("= ")[1].split(", ")
-        claimed += [(float(x), words.removeprefix("changes: "), words.startswith("changes: "))
-                    for x in numbers]
+    for text in ax.texts:
+        if text.get_text():                                # an arrow has none
+            value = text.get_text().split("= ")[1].strip("$")
+            x = float(re.sub(r"( \\times )?10\^\{(-?\d+)\}", lambda m: f"{'' if m[1] else 1}e{m[2]}", value))
+            claimed += [(x, kind, said == "stability changes") for marker, kind, said in named
+                        if any(text.xy in list(map(tuple, line.get_xydata())) for line in ax.lines
+                               if line.get_marker() == marker)]
     assert len(claimed) == len(expected), (seed, claimed, expected)
     for ours, theirs in zip(sorted(claimed), sorted(expected)):
         assert ours[1:] == theirs[1:] and abs(ours[0] - theirs[0]) < 1e-3 * abs(theirs[0]) + 1e-9, (

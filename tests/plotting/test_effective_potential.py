@@ -92,7 +92,7 @@ def test_the_picture():
             and line.get_linestyle() == "-"]
     np.testing.assert_array_equal(bars, [turns[:2], turns[2:]])
     assert [text.get_text() for text in ax.get_legend().get_texts()] == [
-        "$V$", "motion at the energy", "stable modulo the spin", "unstable"]
+        "motion at the energy", "stable modulo the spin", "unstable"]
 
 
 def test_what_cannot_be_drawn_is_refused():
@@ -180,7 +180,7 @@ def drawn_is_true(values, top, bottom, energy):
     bottom_edge, top_edge = ax.get_ylim()
     assert all(bottom_edge <= h <= top_edge for _, h, _ in dots)
     names = [text.get_text() for text in ax.get_legend().get_texts()]
-    assert ("motion at the energy" in names) and len(names) == 2 + len({line for *_, line in dots})
+    assert ("motion at the energy" in names) and len(names) == 1 + len({line for *_, line in dots})
     tilted = any(abs(x) < 1 - 1e-9 and line.get_markerfacecolor() == BLUE for x, _, line in dots)
     assert any("modulo the spin" in name for name in names) == tilted
 

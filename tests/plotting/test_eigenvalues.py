@@ -2,6 +2,7 @@
 import numpy as np
 import oracle
 import pytest
+from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.collections import LineCollection
 from matplotlib.figure import Figure
 from sympy import exp
@@ -139,8 +140,14 @@ def test_the_picture():
     assert lines.get_cmap().name == "cividis"
     (crosses,) = [line for line in ax.lines if line.get_marker() == "x"]
     assert len(crosses.get_xdata()) == 2
-    assert [text.get_text() for text in ax.get_legend().get_texts()] == [r"changes: Hamiltonian Hopf at "
-                                                                         r"$\omega_3^0$ = 1.25"]
+    assert [text.get_text() for text in ax.get_legend().get_texts()] == [
+        "Hamiltonian Hopf, stability changes"]
+    (said,) = [text for text in ax.texts if text.get_text()]
+    assert said.get_text() == r"$\omega_3^0 = 1.25$" and said.xy in list(map(tuple, crosses.get_xydata()))
+    FigureCanvasAgg(ax.figure).draw()
+    (left, right), (low, high) = ax.get_xlim(), ax.get_ylim()
+    box = ax.get_window_extent()
+    assert box.width / (right - left) == pytest.approx(box.height / (high - low))
     assert (ax.get_xlabel(), ax.get_ylabel()) == (r"$\mathrm{Re}\,\lambda$ $[\mathrm{T^{-1}}]$",
                                                   r"$\mathrm{Im}\,\lambda$ $[\mathrm{T^{-1}}]$")
     assert ax.figure.axes[1].get_ylabel() == r"$\omega_3^0$ $[\mathrm{T^{-1}}]$"

@@ -74,7 +74,8 @@ def test_the_picture_shows_what_was_followed():
     dimension = r"$[\mathrm{M\,L^{2}\,T^{-1}}]$"
     assert (ax.get_xlabel(), ax.get_ylabel()) == (f"$l_3$ {dimension}", f"$M_{{3}}$ {dimension}")
     assert ax.get_title() == "$I_1 = 1$, $I_2 = 2$, $I_3 = 3$, $|M| = 1$"
-    assert [text.get_text() for text in ax.get_legend().get_texts()] == ["stable", "unstable", "pitchfork"]
+    assert [text.get_text() for text in ax.get_legend().get_texts()] == ["stable", "unstable"]
+    assert [text.get_text() for text in ax.texts] == ["pitchfork"]
     (marks,) = [line for line in ax.lines if line.get_marker() == "P"]
     assert sorted(zip(*map(list, marks.get_data()))) == [(-2, 1), (-0.5, 1), (0.5, -1), (2, -1)]
     lines = [line for line in ax.lines if line.get_marker() == "None"]

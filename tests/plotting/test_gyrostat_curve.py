@@ -87,7 +87,7 @@ def test_nothing_of_the_curve_is_missing(drawn):
 def test_marks_and_legend(drawn):
     ax, inertia, c, rotor = drawn
     names = [text.get_text() for text in ax.get_legend().get_texts()]
-    assert names == ["stable", "unstable", "change", "fold", "at rest"]
+    assert names == ["stable", "unstable", "stable to unstable", "unstable, other reason", "fold", "at rest"]
     assert not [line for line in ax.lines if line.get_linewidth() == OPPOSITE["linewidth"]
                 and line.get_color() == OPPOSITE["color"]]
     rest = marked(ax, REST)

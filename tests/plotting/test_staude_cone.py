@@ -95,7 +95,7 @@ def test_nothing_of_the_cone_is_missing(drawn):
 def test_legend_heading_and_marks():
     ax = picture((1, 2, 3), (1, 1, 1))
     names = [text.get_text() for text in ax.get_legend().get_texts()]
-    assert names == ["stable", "unstable", "no rotation", "change", "at rest"]
+    assert names == ["stable", "unstable", "no rotation", "stable to unstable", "at rest"]
     assert ax.get_title() == "$U = k_1 + k_2 + k_3$: $I_1 = 1$, $I_2 = 2$, $I_3 = 3$"
     assert len(marked(ax)) == 3
     axis = picture((1, 2, 3), (0, 0, 1))

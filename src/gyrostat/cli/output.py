@@ -1,6 +1,8 @@
 """Where a verb writes its results: standard output, or a file of a kind that is that of its name."""
+import argparse
 import errno
 import os
+import re
 import shutil
 import sys
 from collections.abc import Iterator, Mapping, Sequence
@@ -16,7 +18,12 @@ from ..charts import progress
 from ..errors import ValuesError, needed
 from ..printing.files import written
 
-PICTURES, FILMS = (".png", ".pdf", ".svg"), (".gif", ".mp4")
+PICTURES, FILMS = (".png", ".jpg", ".svg", ".pdf"), (".gif", ".mp4")
+FORMATS = tuple(kind.removeprefix(".") for kind in PICTURES)
+WIDTH_IN, DPI = 3.4, 300                               # inches of a printed column; dots per inch
+UNITS = {"in": 1.0, "mm": 1 / 25.4, "cm": 1 / 2.54}
+LEAST, WIDEST, FEWEST, FINEST = 1.0, 40.0, 20, 2400    # inches; dots per inch
+MARGIN = 0.05                                          # inches above and below what is on a picture
 # the modules of each kind of file, and the extras that bring them
 EXTRAS = {**dict.fromkeys((*PICTURES, *FILMS), {"matplotlib": "plot"}),
           ".nc": {"xarray": "charts", "netCDF4": "charts"}, ".zarr": {"zarr": "charts", "dask": "charts"}}
@@ -173,7 +180,46 @@ def printed_look() -> Iterator[None]:
         yield
 
 
-def save_picture(figure: Any, path: Path) -> None:
-    """Write a Matplotlib figure, as large as what is on it."""
+def save_picture(figure: Any, path: Path, kind: str | None = None, dpi: int = DPI) -> None:
+    """Write a Matplotlib figure: exactly as wide as it is, and as high as what is on it.
+
+    Default of the kind: the suffix of the path.
+    """
+    from matplotlib.transforms import Bbox
+    figure.draw_without_rendering()
+    drawn, width = figure.get_tightbbox(), figure.get_size_inches()[0]
+    left = 0.0 if 0 <= drawn.x0 and drawn.x1 <= width else (drawn.x0 + drawn.x1 - width) / 2
+    box = Bbox([[left, drawn.y0 - MARGIN], [left + width, drawn.y1 + MARGIN]])
     with written(path) as new:
-        figure.savefig(new, dpi=300, bbox_inches="tight")
+        figure.savefig(new, format=kind or path.suffix.removeprefix("."), dpi=dpi, bbox_inches=box)
+
+
+def picture_options(verb: argparse.ArgumentParser) -> None:
+    """Add the options of a file with a picture."""
+    verb.add_argument("--output", metavar="FILE", help="write to a .png, .jpg, .svg or .pdf")
+    verb.add_argument("--format", choices=FORMATS,
+                      help="the kind of the file; default: that of its name")
+    verb.add_argument("--width", type=_inches, default=WIDTH_IN, metavar="WIDTH",
+                      help=f"the width in inches, or with its unit: 3.4, 86mm, 8.6cm; default {WIDTH_IN} in")
+    verb.add_argument("--dpi", type=_dots, default=DPI, metavar="N",
+                      help=f"dots per inch of .png and .jpg; default {DPI}")
+    verb.add_argument("--no-title", action="store_false", dest="title",
+                      help="write no title; in Python caption(ax) gives its text for a paper")
+
+
+def _inches(text: str) -> float:
+    """A width in inches."""
+    found = re.fullmatch(r"(\d+(?:\.\d*)?|\.\d+) *(in|mm|cm)?", text.strip())
+    width = float(found[1]) * UNITS[found[2] or "in"] if found else 0.0
+    if not LEAST <= width <= WIDEST:
+        raise argparse.ArgumentTypeError(f"{text} is no width: give {LEAST:g} to {WIDEST:g} inches, or the "
+                                         "same in mm or cm, as 3.4, 86mm, 8.6cm")
+    return width
+
+
+def _dots(text: str) -> int:
+    """Dots per inch."""
+    if not re.fullmatch(r"[0-9]{1,4}", text) or not FEWEST <= int(text) <= FINEST:
+        raise argparse.ArgumentTypeError(f"{text} is no number of dots per inch: give a whole number, "
+                                         f"{FEWEST} to {FINEST}")
+    return int(text)

@@ -19,7 +19,7 @@ from .options.scene_options import (
     pointing,
     scene_file,
 )
-from .output import standard_streams, told
+from .output import picture_options, standard_streams, told
 from .run_verb import carried_out
 from .time_limit import signals
 
@@ -182,7 +182,7 @@ def _kinds(plot: Parser) -> list[Parser]:
                        help="the angular velocity across the axis")
     cones.add_argument("--axial", metavar="W3", required=True, help="the angular velocity along the axis")
     for kind in kinds.choices.values():
-        kind.add_argument("--output", metavar="FILE", help="write to a .png, .pdf or .svg")
+        picture_options(kind)
     return list(kinds.choices.values())
 
 

@@ -1,19 +1,21 @@
-"""Pictures: each function draws on Matplotlib axes and returns them.
+"""Draws pictures: each function draws on Matplotlib axes and returns them.
 
-Each picture has a file: of a free body `momentum_sphere` (its curves: `energy_levels`), `cones` and
-`rotor_set`; of a top `nutation`, `effective_potential` and `energy_momentum`; of any body in a field
-`staude_cone` and `staude_plane` (`along_arcs`) and `amended_potential`; of a satellite `attitudes`,
-`librations` and the `smelt_plane`. Along a parameter there are `bifurcations` and `eigenvalues`, over ranges
-of two `charts` (`chart_curves`). A body of `solids` turns in an `animation`, or is turned by the reader
-(`interactive`). Verdicts look the same in all of them (`looks`); `headings` say what is drawn, a `globe` is a
-sphere seen from one side, `scene_numbers` makes floats of exact numbers, `paper.mplstyle` is a style for
-print.
+Each picture has a module. Free bodies have the `momentum_sphere` (its curves: `energy_levels`), the `cones`
+and the `rotor_set`. A top has its `nutation`, its `effective_potential` and the diagram of `energy_momentum`.
+Any body in a field has the `staude_cone` and the `staude_plane` (both from `along_arcs`) and the
+`amended_potential`. Satellites have their `attitudes`, their `librations` and the `smelt_plane`. There are
+`bifurcations` and `eigenvalues` along one parameter, and `charts` over two (`chart_curves`). A body of
+`solids` turns in an `animation`, or the reader turns it (`interactive`). Verdicts have the same `looks` in
+all of them. `headings` say what is drawn, `legends` what the looks mean, if there is no room `beside` the
+marks, and `captions` say both for a paper. A `globe` is a sphere seen from one side, `scene_numbers` makes
+exact numbers of the values, and `paper.mplstyle` is a style for print.
 """
 from .amended_potential import draw_amended_potential
 from .animation import animate_top, save_animation
 from .attitudes import draw_attitudes
 from .bifurcations import draw_bifurcation_diagram
-from .charts import caption, draw_chart
+from .captions import caption
+from .charts import draw_chart
 from .cones import draw_cones
 from .effective_potential import draw_effective_potential
 from .eigenvalues import draw_eigenvalues

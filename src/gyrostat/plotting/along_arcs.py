@@ -1,12 +1,14 @@
 """The arcs of permanent rotations in doubles: k, omega and sigma along them."""
 from collections.abc import Callable
 from fractions import Fraction
+from itertools import pairwise
 
 import numpy as np
 from sympy import Expr, oo
 
 from ..algebra.enclosures.floats import Array
 from ..equilibria.curves.arc import Arc, Piece
+from ..stability.decision import Verdict
 from .globe import refined
 
 ROUNDS, FIRST = 12, 33                                 # halvings; values of the parameter at first
@@ -15,6 +17,18 @@ ROUNDS, FIRST = 12, 33                                 # halvings; values of the
 def moves(arc: Arc) -> bool:
     """Whether the direction changes along an arc."""
     return sum(x != 0 for x in arc.k) > 1
+
+
+def changes_of(arc: Arc) -> list[tuple[Expr, str]]:
+    """Each value at which what is proved changes, and from what to what, in the order of the verdicts."""
+    order, found = list(Verdict), []
+    for one, two in pairwise(arc.pieces):
+        if one.decision.reason != two.decision.reason:
+            first, last = sorted((one.decision.verdict, two.decision.verdict), key=order.index)
+            name = first.name.lower()
+            found.append((two.low, f"{name}, other reason" if first is last
+                          else f"{name} to {last.name.lower()}"))
+    return found
 
 
 def along(arc: Arc, values: Array) -> tuple[Array, Array, Array]:

@@ -14,9 +14,10 @@ from ..errors import optional
 from ..mechanics.scenes.potential import DIRECTIONS
 from ..mechanics.scenes.system import System
 from ..stability.decision import Verdict
+from .captions import BEHIND, headed
 from .globe import across, circle, curves_of, dots_of, stage
-from .headings import heading, of_scene
-from .looks import BLUE, DARK, axes_of, label, legend, line, marker
+from .headings import of_scene
+from .looks import BLUE, DARK, axes_of, label, line, marker
 from .scene_numbers import numbers_of
 
 CURVES, CELLS = 14, 96                                     # levels; cells along an edge of the cube
@@ -86,7 +87,8 @@ def draw_amended_potential(scene: System, values: Mapping[str, Any] | None = Non
     saddles = [point for point in points if point.kind == "saddle" and not point.rotation.locus]
     through = _separatrices(potential, np.array([_place(point) for point in saddles]))
     handles += curves_of(ax, through, heavy, "through a saddle", eye)
-    legend(ax, [*handles, *_marked(ax, points, eye)], title=heading(ax, *of_scene(scene, values or {})))
+    headed(ax, "Amended potential on the sphere of directions", of_scene(scene, values or {}),
+           [*handles, *_marked(ax, points, eye)], after=BEHIND)
     return ax
 
 

@@ -14,7 +14,8 @@ from ..printing.files import written
 from ..trajectories import Motion
 from .globe import FADED, parted, polygons, stage
 from .headings import heading, of_motion
-from .looks import BLUE, DARK, axes_of, label, legend, named
+from .legends import legend, named
+from .looks import BLUE, DARK, axes_of, label
 from .nutation import WIDEST, close_enough, widest
 from .solids import rigid, solid
 

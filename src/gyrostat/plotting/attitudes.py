@@ -14,9 +14,11 @@ from ..errors import ScopeError
 from ..mechanics.scenes.kind import Kind
 from ..mechanics.scenes.system import System
 from ..stability.decision import Verdict
+from .captions import BEHIND, headed
 from .globe import circle, curve_on, dots_on, stage
-from .headings import heading, of_scene
-from .looks import GREY, axes_of, label, legend, marker, meaning, named
+from .headings import of_scene
+from .legends import named
+from .looks import GREY, axes_of, label, marker, meaning
 
 LENGTH = 0.22                                              # of the line along n
 FIRST, WIDEST = 64, 1e-12                                  # bits of the first enclosure; of one that is drawn
@@ -85,9 +87,10 @@ def draw_attitudes(scene: System, values: Mapping[str, Any] | None = None, ax: A
         dots_on(ax, r, eye, color=GREY, marker=".", linestyle="none", markersize=4)
         dots_on(ax, r + LENGTH * n, eye, **looks[verdict])
     decisions = [decision for _, decision in found]
-    legend(ax, [*(named(look, meaning(verdict, decisions)) for verdict, look in looks.items()),
-                named({"color": GREY, "linewidth": 1.1}, f"{label('n')} from {label('r')}")],
-           title=heading(ax, *of_scene(scene, values or {})))
+    headed(ax, "Attitudes in which a satellite rests, by the vertical $r$ and the normal $n$ of its orbit in "
+           "the body", of_scene(scene, values or {}),
+           [*(named(look, meaning(verdict, decisions)) for verdict, look in looks.items()),
+            named({"color": GREY, "linewidth": 1.1}, f"{label('n')} from {label('r')}")], after=BEHIND)
     return ax
 
 

@@ -22,9 +22,12 @@ from ..mechanics.scenes.system import System
 from ..notation import symbol
 from ..printing.letters import letters_of
 from ..stability.decision import Verdict
+from .beside import Marks
+from .captions import headed
 from .globe import dots_of
-from .headings import heading, of_scene, of_sphere
-from .looks import DARK, axes_of, axis, label, legend, line, marker, named, with_dimension
+from .headings import of_scene, of_sphere
+from .legends import named
+from .looks import DARK, axes_of, axis, label, line, marker, with_dimension
 
 CHANGES = {"fold on a level": "o", precessions_leave(E1): "s", precessions_leave(E2): "p",
            SINGULAR: "o", FREQUENCIES: "s"}
@@ -91,8 +94,8 @@ def draw_bifurcation_diagram(scene: System, name: str, ends: tuple[Any, Any], va
     >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
     >>> ax = gs.plotting.draw_bifurcation_diagram(top, "omega", (0, 3), {"I1": 2, "I3": 1, "l": 0, "m0": -1},
     ...                                           Figure().subplots())
-    >>> [text.get_text() for text in ax.get_legend().get_texts()][2:]
-    ['E3 leaves E1', 'changes: precessions leave E2']
+    >>> sorted(text.get_text() for text in ax.texts)
+    ['E1', 'E2', 'E3', 'E3 leaves E1', 'precessions leave E2']
     """
     found = continuation(scene, name, ends, values)
     ax, free, rotor = axes_of(ax), scene.kind is Kind.FREE, scene.body.gyrostatic_momentum
@@ -105,7 +108,7 @@ def draw_bifurcation_diagram(scene: System, name: str, ends: tuple[Any, Any], va
         alone = len(piece.parameter) == 1
         ax.plot(piece.parameter, height(piece), **{**(marker if alone else line)(piece.verdict),
                                                    "clip_on": False, **({} if alone else kwargs)})
-    handles = [*_verdicts(found, kwargs), *_marks_of(found, ax, height)]
+    handles, marks = _verdicts(found, kwargs), _marks_of(found, ax, height)
     low, high = (float(exact_number(end, name)) for end in ends)
     ax.set(xlim=(low, high), xlabel=axis(name))
     if free:
@@ -116,25 +119,27 @@ def draw_bifurcation_diagram(scene: System, name: str, ends: tuple[Any, Any], va
             ax.set_xlabel(with_dimension("$|M|$", MOMENTUM))
         said = of_scene(scene, values) if length else of_sphere(scene, values, values[LENGTH.name])
     else:
-        ax.set(ylim=(-1.1, 1.1), ylabel=label("k3"))
+        ax.set(ylim=(-1.3, 1.3), ylabel=label("k3"))
         said = of_scene(scene, values)
     if scene.kind is Kind.REVOLUTION:
         _name(found, high, ax)
-    legend(ax, handles, 2 if scene.kind is Kind.REVOLUTION else 3, heading(ax, *said))
+    what = "permanent rotations of a free gyrostat" if free else "relative equilibria"
+    headed(ax, f"Bifurcation diagram of the {what} against {label(name)}", said, handles, 3, marks,
+           "Stability changes at filled marks, and at open ones branches meet" if marks else "")
     return ax
 
 
-def _marks_of(found: Continuation, ax: Any, height: Callable[[Mark], Any]) -> list[Any]:
-    """The marks, and what stands in the legend for them; full where stability changes, else open."""
-    handles: list[Any] = []
+def _marks_of(found: Continuation, ax: Any, height: Callable[[Mark], Any]) -> list[Marks]:
+    """Draw the marks, by kind: full ones where stability changes, open ones where it does not."""
+    drawn: list[Marks] = []
     for kind, shape in SHAPES.items():
         if marks := [mark for mark in found.marks if mark.kind == kind]:
             style = {"color": DARK, "marker": shape, "markersize": 6, "linestyle": "none",
                      "markerfacecolor": DARK if kind in CHANGES else "white"}
             places = [(float(mark.value), float(height(mark))) for mark in marks]
-            said = f"changes: {kind}" if kind in CHANGES else kind
-            handles += dots_of(ax, places, style, said, clip_on=False)
-    return handles
+            handle, = dots_of(ax, places, style, kind, clip_on=False)
+            drawn.append(Marks(handle, places))
+    return drawn
 
 
 def _verdicts(found: Continuation, kwargs: Mapping[str, Any]) -> list[Any]:

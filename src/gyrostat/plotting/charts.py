@@ -8,9 +8,10 @@ from ..algebra.enclosures.floats import Array
 from ..arguments import checked
 from ..errors import ValuesError, optional, require
 from ..notation import dimension_of, order
+from .captions import headed
 from .chart_curves import curves
-from .headings import field, heading, lines, number
-from .looks import AREAS, DESTROYED, INK, LOOKS, axes_of, label, legend, with_dimension
+from .headings import field, number
+from .looks import AREAS, DESTROYED, INK, LOOKS, axes_of, label, with_dimension
 
 MODULO = {"the flow of pi3": "the spin"}                   # about the axis of the body
 # values of an axis that are drawn; of more, every second, third, …
@@ -20,7 +21,7 @@ FINEST = 150
 
 
 @checked
-def draw_chart(ds: Any, ax: Any = None, *, title: str | None = None, **kwargs: Any) -> Any:
+def draw_chart(ds: Any, ax: Any = None, **kwargs: Any) -> Any:
     r"""Draw a stability chart of two axes.
 
     Parameters
@@ -31,8 +32,6 @@ def draw_chart(ds: Any, ax: Any = None, *, title: str | None = None, **kwargs: A
     ax : matplotlib Axes
         a new one where it is left out; a figure without a layout gets the constrained one, which has room for
         what stands above
-    title : str or None
-        above it; None: caption(ds), in lines as wide as the axes
     **kwargs : Any
         of the image of the verdicts: of Axes.imshow, or of Axes.pcolormesh where the values of an axis are
         not evenly spaced
@@ -91,39 +90,13 @@ def draw_chart(ds: Any, ax: Any = None, *, title: str | None = None, **kwargs: A
     names = {name: name.replace("_", " ") for name in shown} | _modulo(ds, shown)
     if _visible(destroyed):
         names[DESTROYED] = DESTROYED
-    legend(ax, [*_patches(names), *drawn], title=heading(ax, *_said(ds)) if title is None else title)
+    headed(ax, f"Stability chart in {label(str(dims[1]))} and {label(str(dims[0]))}", _said(ds),
+           [*_patches(names), *drawn])
     return ax
-
-
-@checked
-def caption(ds: Any) -> str:
-    """The equilibrium, U, what is fixed and what the others determine, as a title.
-
-    Parameters
-    ----------
-    ds : xarray.Dataset
-        of stability_chart
-
-    Returns
-    -------
-    str
-        with formulas as Matplotlib sets them
-
-    Examples
-    --------
-    >>> import gyrostat as gs
-    >>> report = gs.analyze(gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())))
-    >>> chart = gs.charts.stability_chart(report, x=("pi3_0", [1, 2]), y=("l", [0, 1]),
-    ...                                   fixed={"I1": 1, "m0": 1})
-    >>> print(gs.plotting.caption(chart))
-    E1, $U = m_0 k_3$: $I_1 = 1$, $m_0 = 1$
-    """
-    return lines(*_said(ds))
 
 
 def _said(ds: Any) -> tuple[list[str], list[str]]:
     """The equilibrium and U; what is fixed, and what the others determine."""
-    require(ds, optional("xarray", "charts").Dataset, "the chart")
     latex = ds.attrs.get("potential_latex", "")
     names = sorted((name for name, c in ds.coords.items() if c.ndim == 0), key=order)
     fixed = [f"${ds[name].attrs.get('latex', name)} = {number(ds[name].item(), _exact(ds[name]))}$"

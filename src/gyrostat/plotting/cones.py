@@ -12,9 +12,10 @@ from ..algebra.enclosures.floats import Array, row
 from ..arguments import checked
 from ..errors import ScopeError
 from ..mechanics.classical.free_precession import free_precession
+from .captions import headed
 from .globe import across, arrow, circle, polygons, towards
-from .headings import heading, number, numbers
-from .looks import BLUE, INK, LOOKS, axes_of, label, legend
+from .headings import number, numbers
+from .looks import BLUE, INK, LOOKS, axes_of, label
 
 
 @dataclass(frozen=True)
@@ -151,5 +152,6 @@ def draw_cones(inertia: Sequence[Any], transverse: Any, axial: Any, ax: Any = No
     ax.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), zlim=(low[2], high[2]))
     ax.set_box_aspect(high - low, zoom=1.2)
     rates = [rf"$\omega_\perp = {number(transverse)}$", rf"$\omega_3 = {number(axial)}$"]
-    legend(ax, handles, title=heading(ax, [], [*numbers(dict(zip(("I1", "I3"), inertia))), *rates]))
+    headed(ax, "Cones on which the angular velocity of a free body of revolution moves",
+           ([], [*numbers(dict(zip(("I1", "I3"), inertia))), *rates]), handles)
     return ax

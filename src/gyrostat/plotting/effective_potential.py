@@ -21,9 +21,11 @@ from ..mechanics.scenes.system import System
 from ..notation import symbol
 from ..printing.letters import letters_of
 from ..stability.decision import Verdict
+from .captions import headed
 from .globe import dots_of
-from .headings import heading, of_scene
-from .looks import BLUE, DARK, GREY, axes_of, axis, label, legend, marker, meaning, named
+from .headings import of_scene
+from .legends import named
+from .looks import BLUE, DARK, GREY, axes_of, axis, label, marker, meaning
 from .scene_numbers import numbers_of
 
 THETA = symbol("theta")
@@ -181,7 +183,7 @@ def draw_effective_potential(scene: System, values: Mapping[str, Any], energy: A
     low = float(min([np.quantile(finite, 0.1) if infinite else finite.min(), *heights]))
     depth = max(heights, default=low) - low or float(np.quantile(finite, 0.4)) - low or 1.0
     ax.set(xlim=(0, np.pi), ylim=(low - 0.2 * depth, low + 2.2 * depth))
-    handles = [named(style, "$V$, every tilt an equilibrium" if found.level else "$V$")]
+    handles = [named(style, "every tilt an equilibrium")] if found.level else []
     if energy is not None:
         handles.append(named(_energy(ax, found, heights[-1]), "motion at the energy"))
     for verdict in Verdict:
@@ -192,7 +194,8 @@ def draw_effective_potential(scene: System, values: Mapping[str, Any], energy: A
     letters = letters_of(scene)
     ax.set(xlabel=label("theta"), ylabel=axis(letters.of("V"), (1, 2, 0)))
     shown = {} if energy is None else {letters.of("h"): energy}
-    legend(ax, handles, 2, heading(ax, *of_scene(scene, {**values, **shown})))
+    headed(ax, "Effective potential of a body of revolution", of_scene(scene, {**values, **shown}), handles,
+           2)
     return ax
 
 

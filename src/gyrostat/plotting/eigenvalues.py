@@ -10,8 +10,11 @@ from ..mechanics.equilibrium.equilibrium import Equilibrium
 from ..notation import dimension_of
 from ..parameters.spectra import spectrum
 from ..typesetting import typeset
-from .headings import heading, of_scene
-from .looks import DARK, GREY, axes_of, axis, label, legend, named, with_dimension
+from .beside import written_at
+from .captions import headed
+from .headings import number, of_scene
+from .legends import named, room
+from .looks import DARK, GREY, axes_of, axis, label, with_dimension
 
 SHAPES = {"Hamiltonian Hopf": "x", "zero eigenvalue": "+", "real pairs meet": "1"}
 
@@ -21,8 +24,9 @@ def draw_eigenvalues(eq: Equilibrium, name: str, samples: Sequence[float], value
                      ax: Any = None, **kwargs: Any) -> Any:
     r"""Draw the eigenvalues of the linearised field in the complex plane, along a parameter.
 
-    The colour is the parameter, arrows point the way the samples go. Where eigenvalues collide there is a
-    mark, with the name of what happens and the value; "changes" says that spectral stability does.
+    The colour is the parameter, and arrows point the way the samples go. A mark stands where eigenvalues
+    collide, with the value of the parameter beside it. The legend names what happens there, and says whether
+    spectral stability changes. A unit is as long across as up.
 
     Parameters
     ----------
@@ -76,10 +80,11 @@ def draw_eigenvalues(eq: Equilibrium, name: str, samples: Sequence[float], value
     ax.axvline(0, color=GREY, linewidth=0.6, zorder=0)
     ax.add_collection(lines)
     ax.margins(0.12)
+    ax.set_aspect("equal", adjustable="datalim")       # circles are circles
     ax.autoscale_view()
     for curve in points:
         _arrows(ax, curve, lines.to_rgba(found.parameter))
-    handles = []
+    handles, values_at = [], []
     for kind, changes in dict.fromkeys((collision.kind, collision.changes) for collision in found.collisions):
         these = [collision for collision in found.collisions
                  if (collision.kind, collision.changes) == (kind, changes)]
@@ -87,14 +92,19 @@ def draw_eigenvalues(eq: Equilibrium, name: str, samples: Sequence[float], value
                  "linestyle": "none"}
         at = np.concatenate([collision.eigenvalues for collision in these])
         ax.plot(at.real, at.imag, zorder=4, **style)
-        where = ", ".join(f"{collision.value:.4g}" for collision in these)
-        handles.append(named(style,
-                             f"{'changes: ' if changes else ''}{kind} at {label(name)} = {where}"))
+        handles.append(named(style, f"{kind}, {'stability changes' if changes else 'no change'}"))
+        for collision in these:
+            highest = max(collision.eigenvalues, key=lambda x: (x.imag, x.real))
+            values_at.append((f"${typeset(name)} = {number(collision.value)}$", (highest.real, highest.imag)))
     above, shown = of_scene(eq.system, values)
-    legend(ax, handles, 1, heading(ax, [eq.label, *above], shown))
     for part, put in (("Re", ax.set_xlabel), ("Im", ax.set_ylabel)):
         put(with_dimension(rf"$\mathrm{{{part}}}\,{typeset('lamda')}$", dimension_of("lamda")))
     ax.figure.colorbar(lines, ax=ax, label=axis(name))
+    headed(ax, f"Eigenvalues of the linearised field along {label(name)}", ([eq.label, *above], shown),
+           handles, 1, after="Arrows point the way the parameter goes" + (
+               ", and its values stand beside the collisions" if handles else ""))
+    room(ax)
+    written_at(ax, values_at, 10)
     return ax
 
 

@@ -12,15 +12,17 @@ from ..arguments import checked
 from ..equilibria.curves.critical_values import EnergyMomentum, critical_values
 from ..equilibria.finders.rate_level_tilt import names_of
 from ..equilibria.relative_equilibrium import RelativeEquilibrium
-from ..errors import optional
 from ..mechanics.equilibrium.reduction import K3, V
 from ..mechanics.scenes.system import System
 from ..printing.letters import letters_of
 from ..stability.decision import Verdict
 from ..stability.notion import Notion
+from .beside import Marks, written_at
+from .captions import headed
 from .globe import dots_of
-from .headings import heading, of_scene
-from .looks import DARK, axes_of, axis, legend, line, marker, named
+from .headings import of_scene
+from .legends import named, room
+from .looks import DARK, axes_of, axis, line, marker
 from .scene_numbers import numbers_of
 
 CELLS = 400                                                # of each axis, for the regions
@@ -110,7 +112,9 @@ def draw_energy_momentum(scene: System, values: Mapping[str, Any],
     >>> ax = gs.plotting.draw_energy_momentum(top, {"I1": 1, "I3": 1, "l": 0, "m0": 1, "p_psi": 1},
     ...                                       ax=Figure().subplots())
     >>> [text.get_text() for text in ax.get_legend().get_texts()]
-    ['stable (curves: modulo the spin)', 'E1: unstable, focus-focus', 'one band of $k_3$']
+    ['stable (curves: modulo the spin)', 'unstable', '1 band of $k_3$']
+    >>> [text.get_text() for text in ax.texts]
+    ['E1, focus-focus', 'E2']
     """
     found = energy_momentum(scene, values)
     ax = axes_of(ax)
@@ -121,32 +125,27 @@ def draw_energy_momentum(scene: System, values: Mapping[str, Any],
     for curve in found.curves:
         ax.plot(curve.momentum, curve.energy, **{**line(curve.verdict), **kwargs})
     names: dict[tuple[float, float], list[str]] = {}
-    focus = [branch.label for *_, branch in found.poles if _focus(branch)]
-    halo = optional("matplotlib.patheffects", "plot").withStroke(linewidth=2.5, foreground=BANDS[1])
     for v, h, branch in found.poles:
         ax.plot([v], [h], zorder=4, **marker(branch.decision.verdict))
-        names.setdefault((v, h), []).append(branch.label)
-    for (v, h), several in names.items():
-        inside = any(name in focus for name in several)    # the curves are below
-        ax.annotate(", ".join(several), (v, h), xytext=(0, 5 if inside else -5), textcoords="offset points",
-                    ha="center", va="bottom" if inside else "top", path_effects=[halo])
-    handles = []
+        said = f"{branch.label}, focus-focus" if _focus(branch) else branch.label
+        names.setdefault((v, h), []).append(said)
     shown = left, right, low, high
-    poles = {branch.label: branch for v, h, branch in found.poles if _inside(v, h, shown)}
-    if seen := [name for name in focus if name in poles]:
-        handles.append(named(marker(Verdict.UNSTABLE), f"{', '.join(seen)}: unstable, focus-focus"))
     cusps = [cusp for cusp in found.cusps if _inside(*cusp, shown)]
     style = {"color": DARK, "marker": "D", "markersize": 4.5, "linestyle": "none"}
-    handles += dots_of(ax, cusps, style, "changes: fold on a level")
+    marks = [Marks(handle, cusps) for handle in dots_of(ax, cusps, style, "fold on a level")]
     ax.set(xlim=(left, right), ylim=(low, high), xlabel=axis("C1", (1, 1, 0)),
            ylabel=axis(letters_of(scene).of("h"), (1, 2, 0)))
     curves = {x.verdict for x in found.curves if _inside(x.momentum, x.energy, shown)}
-    points = {branch.decision.verdict for name, branch in poles.items() if name not in focus}
+    points = {branch.decision.verdict for v, h, branch in found.poles if _inside(v, h, shown)}
     modulo = " (curves: modulo the spin)" if Verdict.STABLE in curves else ""
     verdicts = [named({**(marker(x) if x in points else {}), **(line(x) | kwargs if x in curves else {})},
                       x.name.lower() + (modulo if x is Verdict.STABLE else ""))
                 for x in Verdict if x in curves | points]
-    legend(ax, [*verdicts, *handles, *_areas(int(count.max()))], 2, heading(ax, *of_scene(scene, values)))
+    headed(ax, "Energy-momentum diagram of a body of revolution", of_scene(scene, values),
+           [*verdicts, *_areas(int(count.max()))], 2, marks,
+           "The curves are regular precessions, and the points are E1 and E2")
+    room(ax)
+    written_at(ax, [("; ".join(several), place) for place, several in names.items()], 6.5)
     return ax
 
 
@@ -167,7 +166,7 @@ def _focus(branch: RelativeEquilibrium) -> bool:
 def _areas(most: int) -> list[Any]:
     """What stands in the legend for the regions."""
     from matplotlib.patches import Patch
-    names = ("one band of $k_3$", "two bands", "three bands or more")
+    names = ("1 band of $k_3$", "2 bands", "3 bands or more")
     return [Patch(facecolor=color, edgecolor="none", label=name)
             for color, name in list(zip(BANDS[1:], names))[:most]]
 

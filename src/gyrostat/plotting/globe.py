@@ -6,7 +6,8 @@ import numpy as np
 
 from ..algebra.enclosures.floats import Array
 from ..errors import optional
-from .looks import DARK, named
+from .legends import named
+from .looks import DARK
 
 BACKGROUND, FADED = "#f4f7fb", 0.28
 BESIDE = 0.12                                              # from the head of an axis to its name

@@ -16,7 +16,7 @@ from ..printing.formats.linebreaks import broken, width
 from ..printing.letters import letters_in
 from ..trajectories import Motion
 from ..typesetting import typeset
-from .looks import room
+from .legends import room
 
 # points of a line at 10 pt, as wide as a page and at least; lines of U
 ROOM, NARROWEST, LINES = 400.0, 150.0, 3

@@ -10,11 +10,13 @@ from ..errors import ScopeError
 from ..mechanics.families.circular_orbit import orbital_rate
 from ..mechanics.scenes.kind import Kind
 from ..trajectories import Motion, roll_pitch_yaw
-from .headings import heading, of_motion
-from .looks import BLUE, DARK, INK, axes_of, legend, named
+from .captions import headed
+from .headings import of_motion
+from .legends import named
+from .looks import BLUE, DARK, INK, axes_of
 
 STYLES: dict[str, dict[str, Any]] = {"roll": {"color": DARK, "linestyle": (0, (4, 2))},
-                                     "pitch": {"color": INK["undecided"], "linestyle": (0, (1, 1))},
+                                     "pitch": {"color": INK["undecided"], "linestyle": ":"},
                                      "yaw": {"color": BLUE, "linestyle": "-"}}
 JUMP = 120                                             # degrees from one time to the next
 
@@ -72,8 +74,8 @@ def draw_librations(motion: Motion, times: Any, ax: Any = None, *, pointing: Seq
         ax.plot(*_broken(orbits, values), **{"linewidth": 1.3, **style, **kwargs})
     ax.set(xlabel="orbits", ylabel="angle [°]")
     ax.margins(x=0)
-    legend(ax, [named({**style, **kwargs}, name) for name, style in STYLES.items()],
-           title=heading(ax, *of_motion(motion)))
+    headed(ax, "Roll, pitch and yaw of a satellite over its orbits", of_motion(motion),
+           [named({**style, **kwargs}, name) for name, style in STYLES.items()])
     return ax
 
 

@@ -1,12 +1,9 @@
-"""One look of stable, unstable and undecided for areas, lines and markers; axes and legends."""
+"""The one look of stable, unstable and undecided, for areas, lines and markers; axes and their labels."""
 from collections.abc import Sequence
 from typing import Any
 
-import numpy as np
-
 from ..errors import ArgumentError, optional, require
 from ..notation import dimension_of
-from ..printing.formats.linebreaks import width
 from ..stability.decision import Decision, Verdict
 from ..typesetting import typeset
 
@@ -19,7 +16,6 @@ DARK, BLUE, GREY = "#1f2933", "#1d5b96", "#8592a0"
 LINES = {"stable": (BLUE, "-"), "unstable": (DARK, (0, (4, 2))), "undecided": (INK["undecided"], ":")}
 MARKERS = {"stable": {"color": BLUE, "fillstyle": "full"}, "unstable": {"color": DARK, "fillstyle": "none"},
            "undecided": {"color": INK["undecided"], "fillstyle": "left", "markerfacecoloralt": "white"}}
-SWATCH = 3.6                                           # line and gaps of a legend, in sizes of its letters
 
 
 def line(verdict: Verdict) -> dict[str, Any]:
@@ -87,50 +83,3 @@ def with_dimension(text: str, dimension: tuple[int, int, int] | None) -> str:
     powers = (("M", mass), ("L", 2 * mass + length), ("T", -rate))
     shown = r"\,".join(unit if power == 1 else f"{unit}^{{{power}}}" for unit, power in powers if power)
     return f"{text} $[\\mathrm{{{shown}}}]$" if shown else text
-
-
-def legend(ax: Any, handles: Sequence[Any], columns: int | None = None, title: str = "") -> None:
-    """A row, or columns, where no data are: above flat axes, below a view of space; above it a title."""
-    columns, rows = _columns(ax, handles, columns or len(handles)), 0.0
-    where: dict[str, Any] = {}
-    if handles and ax.name == "3d":
-        where = {"loc": "upper center", "bbox_to_anchor": (0.5, 0.03), "borderaxespad": 0.2}
-    elif handles:
-        ticks = ax.yaxis.get_major_formatter()
-        ticks.format_ticks(ax.get_yticks())
-        pad = 1.6 if ticks.get_offset() else 0.2       # room for a power of ten that the ticks have in common
-        where = {"loc": "lower left", "bbox_to_anchor": (0, 1), "borderaxespad": pad}
-    if handles:
-        found = ax.legend(handles=handles, ncols=columns, frameon=False, columnspacing=1.2, handlelength=1.6,
-                          **where)
-        size = found.get_texts()[0].get_fontsize()
-        if ax.name != "3d":
-            rows = size * (1.65 * -(-len(handles) // columns) + pad)
-    ax.set_title(title, pad=4 + rows, fontsize="medium", va="bottom")
-
-
-def room(ax: Any) -> float:
-    """The width of the axes in points, after the figure has laid them out."""
-    figure = ax.get_figure(root=True)
-    if layout := figure.get_layout_engine():
-        layout.execute(figure)
-    return float(ax.get_window_extent().width * 72 / figure.dpi)
-
-
-def _columns(ax: Any, handles: Sequence[Any], most: int) -> int:
-    """As many columns of a legend as the axes have room for."""
-    size = optional("matplotlib", "plot").rcParams["legend.fontsize"]
-    size = optional("matplotlib.font_manager", "plot").FontProperties(size=size).get_size_in_points()
-    space = room(ax) / size
-    wide = [0.08 * width(handle.get_label().replace("$", "")) + SWATCH for handle in handles]
-    for columns in range(min(most, len(handles)), 1, -1):
-        # the first columns are the longer ones, as Matplotlib fills them
-        if sum(map(max, np.array_split(wide, columns))) <= space:
-            return columns
-    return 1
-
-
-def named(style: dict[str, Any], name: str) -> Any:
-    """What stands in a legend for a line or a marker."""
-    from matplotlib.lines import Line2D
-    return Line2D([], [], label=name, **style)

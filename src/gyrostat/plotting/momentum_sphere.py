@@ -13,10 +13,12 @@ from ..equilibria.relative_equilibrium import RelativeEquilibrium
 from ..errors import ScopeError, ValuesError
 from ..mechanics.scenes.system import System, at_numbers
 from ..stability.decision import Verdict
+from .captions import BEHIND, headed
 from .energy_levels import energies_between, floats, level_curve
 from .globe import circle, curve_on, curves_of, dots_of, stage
-from .headings import heading, of_sphere
-from .looks import BLUE, DARK, axes_of, label, legend, line, marker, named
+from .headings import of_sphere
+from .legends import named
+from .looks import BLUE, DARK, axes_of, label, line, marker
 from .scene_numbers import numbers_of
 
 BAND = 5                                                   # polhodes between two critical energies
@@ -118,7 +120,8 @@ def draw_momentum_sphere(scene: System, momentum: Any, values: Mapping[str, Any]
         places = [floats(p.momentum) for p in points
                   if p.decision.verdict is verdict and p.form.circle is None]
         handles += dots_of(ax, places, marker(verdict), verdict.name.lower(), eye)
-    legend(ax, handles, title=heading(ax, *of_sphere(scene, values or {}, radius)))
+    headed(ax, "Momentum sphere of a free gyrostat", of_sphere(scene, values or {}, radius), handles,
+           after=BEHIND)
     return ax
 
 

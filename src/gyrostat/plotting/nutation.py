@@ -7,9 +7,11 @@ from ..algebra.enclosures.floats import Array, row
 from ..arguments import checked
 from ..errors import ValuesError
 from ..trajectories import Motion
+from .captions import BEHIND, headed
 from .globe import circle, curve_on, dots_on, stage
-from .headings import heading, of_motion
-from .looks import BLUE, DARK, GREY, axes_of, label, legend, named
+from .headings import of_motion
+from .legends import named
+from .looks import BLUE, DARK, GREY, axes_of, label
 
 WIDEST = 0.5                                               # of a chord of the unit sphere: 29°
 
@@ -78,9 +80,9 @@ def draw_nutation(motion: Motion, times: Any, ax: Any = None, **kwargs: Any) -> 
     curve_on(ax, path, eye, **style)
     dots_on(ax, path[:1], eye, color=style["color"], marker="o", linestyle="none", markersize=5)
     named_height = label("k3") if motion.axis[2] == 1 else "its height"
-    legend(ax, [named(style, "axis of the body"),
-                *([named(limit, f"limits of {named_height}")] if limits else [])],
-           title=heading(ax, *of_motion(motion)))
+    headed(ax, "Path of the axis of the body on the sphere of directions", of_motion(motion),
+           [named(style, "axis of the body"),
+            *([named(limit, f"limits of {named_height}")] if limits else [])], after=BEHIND)
     return ax
 
 

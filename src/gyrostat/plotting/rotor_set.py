@@ -15,13 +15,14 @@ from ..errors import ScopeError, ValuesError
 from ..mechanics.scenes.body import Gyrostat
 from ..mechanics.scenes.system import System, at_numbers, names_of_scene
 from ..notation import symbol
+from .captions import headed
 from .globe import curves_of
-from .headings import heading, of_sphere
-from .looks import BLUE, DARK, axes_of, axis, legend
+from .headings import of_sphere
+from .looks import BLUE, DARK, axes_of, axis
 
 ARC, CELLS = 400, 120                                      # samples of an arc, of the plane each way
 FOLD = {"color": DARK, "linewidth": 1.4}
-PITCHFORK = {"color": BLUE, "linewidth": 1.4, "linestyle": (0, (7, 1.5, 1.5, 1.5))}
+PITCHFORK = {"color": BLUE, "linewidth": 1.4, "linestyle": "-."}
 SMALL, LEAST = 1e-6, 3                                     # beside 0, of abs(M); cells about a number
 SHADES = {2: "#ffffff", 4: "#e4edf5", 6: "#c3d7e8"}
 
@@ -90,7 +91,8 @@ def draw_rotor_set(scene: System, values: Mapping[str, Any], ax: Any = None, **k
         ax.text(*place, str(rotations), ha="center", va="center")
     ax.set(xlim=(-width, width), ylim=(-height, height), xlabel=axis(f"l{free[0] + 1}"),
            ylabel=axis(f"l{free[1] + 1}"))
-    legend(ax, handles, title=heading(ax, *of_sphere(scene, values, values[LENGTH.name])))
+    headed(ax, "Bifurcation set of a free gyrostat", of_sphere(scene, values, values[LENGTH.name]), handles,
+           after="The number in each region is that of the permanent rotations")
     return ax
 
 

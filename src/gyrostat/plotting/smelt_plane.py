@@ -18,9 +18,11 @@ from ..mechanics.scenes.system import assemble
 from ..notation import symbol
 from ..stability.report.analysis import analyze
 from ..stability.report.report import Report
+from .captions import headed
 from .charts import draw_chart
 from .headings import number
-from .looks import DARK, axes_of, legend, named
+from .legends import named
+from .looks import DARK, axes_of
 
 ROLL, YAW = symbol("k_R"), symbol("k_Y")
 POINTS = 400
@@ -78,7 +80,7 @@ def draw_smelt_plane(rotor: Any = 0, bodies: Mapping[str, Sequence[Any]] | None 
     chart = stability_chart(_report(ratio), x=(ROLL.name, values), y=(YAW.name, values), damped=True,
                             progress=False)
     ax = axes_of(ax)
-    draw_chart(chart, ax, title="", **kwargs)
+    draw_chart(chart, ax, **kwargs)
     handles = list(ax.get_legend().legend_handles)
     for handle in handles:
         handle.set_label(NAMES.get(handle.get_label(), handle.get_label()))
@@ -91,8 +93,8 @@ def draw_smelt_plane(rotor: Any = 0, bodies: Mapping[str, Sequence[Any]] | None 
         handles.append(named(style, name))
     ax.set_xlabel(r"$k_R = (I_\mathrm{pitch} - I_\mathrm{yaw})/I_\mathrm{roll}$")
     ax.set_ylabel(r"$k_Y = (I_\mathrm{pitch} - I_\mathrm{roll})/I_\mathrm{yaw}$")
-    legend(ax, handles, title=rf"Earth-pointing, $l = {number(ratio)}\,I_\mathrm{{pitch}}\,\omega_0$"
-           if ratio else "Earth-pointing, without a rotor")
+    said = (rf"$l = {number(ratio)}\,I_{{\mathrm{{pitch}}}}\,\omega_0$" if ratio else "without a rotor")
+    headed(ax, "Smelt plane of an Earth-pointing satellite", (["Earth-pointing"], [said]), handles)
     return ax
 
 

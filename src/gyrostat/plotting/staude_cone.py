@@ -9,14 +9,18 @@ from ..arguments import checked
 from ..equilibria.curves.staude import staude_cone
 from ..mechanics.scenes.system import System
 from ..stability.decision import Verdict
-from .along_arcs import along, directions, floats, moves
+from .along_arcs import along, changes_of, directions, floats, moves
+from .captions import BEHIND, headed
 from .globe import curves_of, dots_of, stage
-from .headings import heading, of_scene
-from .looks import DARK, GREY, axes_of, label, legend, line
+from .headings import of_scene
+from .looks import DARK, GREY, axes_of, label, line
 
 STEP = 0.02                                            # radians between points
 OPPOSITE = {"color": GREY, "linewidth": 0.8}
 CHANGE = {"marker": "D", "linestyle": "none", "markersize": 4.5, "color": DARK}
+# how much of a diamond is full, by what changes there
+FILLS = {"stable to unstable": "full", "stable to undecided": "left", "unstable to undecided": "right",
+         "stable, other reason": "top", "unstable, other reason": "bottom", "undecided, other reason": "none"}
 REST = {"marker": "X", "linestyle": "none", "markersize": 6.5, "color": DARK, "markeredgecolor": "white"}
 FOLD = {"marker": "o", "linestyle": "none", "markersize": 3.5, "color": DARK, "markerfacecolor": "white"}
 ANY = {"marker": "s", "linestyle": "none", "markersize": 5.5, "color": GREY}
@@ -73,7 +77,7 @@ def draw_staude_cone(scene: System, values: Mapping[str, Any] | None = None, ax:
     >>> ax = gs.plotting.draw_staude_cone(gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 0)), U),
     ...                                   ax=Figure().add_subplot(projection="3d"))
     >>> [text.get_text() for text in ax.get_legend().get_texts()]
-    ['stable', 'unstable', 'no rotation', 'change', 'at rest']
+    ['stable', 'unstable', 'no rotation', 'stable to unstable', 'at rest']
     """
     arcs = staude_cone(scene).arcs(values or {})
     ax = axes_of(ax, three=True)
@@ -89,14 +93,22 @@ def draw_staude_cone(scene: System, values: Mapping[str, Any] | None = None, ax:
         style = {**line(verdict), "linewidth": 2.0, **kwargs}
         handles += curves_of(ax, own, style, verdict.name.lower(), eye)
     handles += without
-    changes = [along(arc, np.array([float(x)]))[0][0] for arc in moving for x in arc.boundaries]
+    changes = [(along(arc, np.array([float(x)]))[0][0], said) for arc in moving
+               for x, said in changes_of(arc)]
+    for said, fill in FILLS.items():
+        handles += dots_of(ax, [k for k, what in changes if what == said], change(fill), said, eye)
     folds = [floats(end.k) for arc in moving for end in arc.ends if end.omega not in (0, oo, -oo)]
     rest = [floats(end.k) for arc in moving for end in arc.ends if end.omega == 0]
     rest += [floats(arc.rotation(S.Zero).directions[0]) for arc in moving if not arc.both_ways
              and arc.low < 0 < arc.high]
     still = [floats(arc.ends[0].k) for arc in arcs if not moves(arc)]
-    for points, style, name in ((changes, CHANGE, "change"), (folds, FOLD, "fold"),
-                                (rest, REST, "at rest"), (still, ANY, "every rate")):
+    for points, style, name in ((folds, FOLD, "fold"), (rest, REST, "at rest"), (still, ANY, "every rate")):
         handles += dots_of(ax, points, style, name, eye)
-    legend(ax, handles, title=heading(ax, *of_scene(scene, values or {})))
+    headed(ax, "Permanent rotations on the sphere of directions", of_scene(scene, values or {}), handles,
+           after=BEHIND)
     return ax
+
+
+def change(fill: str) -> dict[str, Any]:
+    """The look of a change: a diamond, full on one of its sides."""
+    return {**CHANGE, "fillstyle": fill, "markerfacecoloralt": "white"}

@@ -14,11 +14,13 @@ from ..equilibria.curves.staude import staude_cone
 from ..errors import ValuesError
 from ..mechanics.scenes.system import System
 from ..stability.decision import Verdict
-from .along_arcs import along, floats, halved, placed
+from .along_arcs import along, changes_of, floats, halved, placed
+from .beside import Marks
+from .captions import headed
 from .globe import curves_of, dots_of
-from .headings import heading, number, of_scene
-from .looks import GREY, axes_of, axis, legend, line, with_dimension
-from .staude_cone import CHANGE, FOLD, REST
+from .headings import number, of_scene
+from .looks import GREY, axes_of, axis, line, with_dimension
+from .staude_cone import FILLS, FOLD, REST, change
 
 STEP, BEYOND, MARGIN = 0.02, 1.2, 1.25                 # of the window; where a curve may be cut; around marks
 SAMPLES, LEAST = 201, 1e-9                             # of a parabola; beside an end
@@ -75,14 +77,16 @@ def draw_staude_plane(scene: System, values: Mapping[str, Any] | None = None,
     >>> ax = gs.plotting.draw_staude_plane(gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 0)), U),
     ...                                    ax=Figure().subplots())
     >>> [text.get_text() for text in ax.get_legend().get_texts()]
-    ['stable', 'unstable', 'change', 'fold', 'at rest']
+    ['stable', 'unstable', 'fold']
+    >>> sorted(text.get_text() for text in ax.texts)
+    ['at rest', 'stable to unstable']
     """
     arcs = staude_cone(scene).arcs(values or {})
     plane = _Plane(arcs[0].scene)
     folds = [place for arc in arcs for place in plane.folds(arc)]
-    changes = [place for arc in arcs for x in arc.boundaries for place in plane.at(arc, x)]
+    changes = [(place, said) for arc in arcs for x, said in changes_of(arc) for place in plane.at(arc, x)]
     rest = [np.array([0.0, side * np.linalg.norm(plane.c)]) for side in (1, -1)]
-    low, high = plane.rates([*folds, *changes]) if omega is None else _range(omega)
+    low, high = plane.rates([*folds, *(place for place, _ in changes)]) if omega is None else _range(omega)
     bottom, top = plane.heights(max(-low, high))
     window = np.array([max(-low, high), max(-bottom, top)])
     ax, handles = axes_of(ax), []
@@ -93,12 +97,16 @@ def draw_staude_plane(scene: System, values: Mapping[str, Any] | None = None,
         own = [curve for arc in arcs for piece in arc.pieces if piece.decision.verdict is verdict
                for curve in plane.curves(arc, piece, window)]
         handles += curves_of(ax, own, {**line(verdict), **kwargs}, verdict.name.lower())
-    for points, look, name in ((changes, CHANGE, "change"), (folds, FOLD, "fold"), (rest, REST, "at rest")):
-        handles += dots_of(ax, points, look, name)
+    marks = [Marks(handle, points) for points, look, name in (
+        *(([place for place, what in changes if what == said], change(fill), said)
+          for said, fill in FILLS.items()), (folds, FOLD, "fold"), (rest, REST, "at rest"))
+        for handle in dots_of(ax, points, look, name)]
     upwards = rf"$\sigma + {number(plane.exact, str(plane.exact))}\,\omega^2$"
     ax.set(xlim=(low, high), ylim=(bottom, top), xlabel=axis("omega"),
            ylabel=with_dimension(upwards, (1, 2, 0)))
-    legend(ax, handles, title=heading(ax, *of_scene(scene, values or {})))
+    headed(ax, r"Permanent rotations in the plane of $\omega$ and $\sigma$", of_scene(scene, values or {}),
+           handles, marks=marks,
+           after=r"On grey curves $\sigma = -\omega^2 I_i$")
     return ax
 
 

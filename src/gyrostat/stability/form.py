@@ -1,4 +1,7 @@
-"""The second variation and the spectrum of a relative equilibrium in numbers, for every kind of scene."""
+"""The second variation and the spectrum of a relative equilibrium in numbers, for every kind of scene.
+
+Signs are proved in balls, or exactly; they count the negative squares by Descartes' rule (Chetaev).
+"""
 from collections.abc import Callable, Sequence
 from typing import Any, ClassVar, NamedTuple
 

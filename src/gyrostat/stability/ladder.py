@@ -1,4 +1,7 @@
-"""Decides an equilibrium at exact numbers by a ladder of criteria and theorems: the first that applies."""
+"""Decides an equilibrium at exact numbers by a ladder of criteria and theorems: the first that applies.
+
+RUNGS names each with its source.
+"""
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Any

@@ -1,4 +1,4 @@
-"""States at times: in doubles, or in as many digits as are asked for, from enclosures that know them."""
+"""States at times in doubles, or in as many digits as are asked for, from enclosures that know them."""
 from collections.abc import Sequence
 from typing import Any
 

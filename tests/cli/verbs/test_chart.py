@@ -70,9 +70,10 @@ def test_axes_of_a_chart(capsys, tmp_path, arguments, dims):
 
 
 @pytest.mark.parametrize(("arguments", "why"), [
-    ([], "--output is missing, and a chart is written to a file: name a picture, chart.png, .pdf or .svg; data, "
-         "chart.nc or chart.zarr"),
-    (["--output", "chart.txt"], "has none of the suffixes"), (["--output", "missing/chart.png"], "cannot write"),
+    ([], "--output is missing, and a chart is written to a file: name a picture, chart.png, .pdf or .svg; "
+         "data, chart.nc or chart.zarr"),
+    (["--output", "chart.txt"], "has none of the suffixes"),
+    (["--output", "missing/chart.png"], "cannot write"),
     (["--output", "missing/chart.zarr"], "cannot write"), (["--output", "missing/chart.nc"], "No such file"),
     (["--axis", "I3=1:2:3", "--output", "chart.png"], "a picture has two: write data instead"),
     (["--axis", "I3=1:2:1000000", "--output", "chart.nc"], "1200000000 points, and at most"),

@@ -157,7 +157,7 @@ def test_numbers_below_0_after_an_option(capsys):
      "add --set I2=…"),
     (["--until", "1", "--potential", "a*k1 + b*k3"], "no number for I2, a, b, and a motion"),
     (["--until", "1", "--potential", "a*k1 + b*k3"], ": add --set I2=… a=… b=…"),
-    (["--until", "1", "--output", "top.txt"], "none of the suffixes that are known here: name a table, motion.csv"),
+    (["--until", "1", "--output", "top.txt"], "suffixes that are known here: name a table, motion.csv"),
     (["--until", "1", "--output", "missing/top.csv"], "cannot write")])
 def test_bad_input_exits_2(capsys, tmp_path, monkeypatch, arguments, why):
     """A clear error on stderr, nothing on stdout, nothing written."""

@@ -97,8 +97,9 @@ def contents(figure):
     """All that is drawn, as numbers and texts."""
     found = []
     for ax in figure.axes:
+        named = [*ax.texts, *(ax.get_legend().get_texts() if ax.get_legend() else [])]
         found += [ax.get_xlabel(), ax.get_ylabel(), ax.name, getattr(ax, "azim", 0),
-                  *(text.get_text() for text in ax.texts)]
+                  *sorted(text.get_text() for text in named)]
         found += [np.nan_to_num(np.array(line.get_data_3d() if ax.name == "3d"
                                          else line.get_data())).tolist() for line in ax.lines]
         found += [np.array(c.get_segments()).tolist() if type(c) is LineCollection else type(c).__name__
@@ -129,7 +130,8 @@ def test_pictures_of_the_library(capsys, tmp_path, monkeypatch, heavy, arguments
     figures = []
     # coarse regions, sooner
     monkeypatch.setattr("gyrostat.plotting.energy_momentum.CELLS", 40)
-    monkeypatch.setattr("gyrostat.cli.verbs.plot.save_picture", lambda figure, path: figures.append(figure))
+    monkeypatch.setattr("gyrostat.cli.options.picture_options.save_picture",
+                        lambda figure, *form: figures.append(figure))
     assert main(["plot", *arguments, "--output", str(tmp_path / "picture.png")]) == 0
     assert capsys.readouterr() == ("", "")
     assert contents(figures[0]) == contents(ours(heavy).figure)

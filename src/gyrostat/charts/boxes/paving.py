@@ -1,4 +1,4 @@
-"""Paves a region by interval analysis: boxes by bisection, each with what is proved about it."""
+"""Paves a region by interval analysis (Jaulin & Walter): boxes by bisection, with what is proved."""
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction

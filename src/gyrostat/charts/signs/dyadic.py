@@ -1,4 +1,7 @@
-"""Proves signs of polynomials at many doubles at once: a double is a whole number times a power of 2."""
+"""Proves signs of polynomials at many doubles at once: a double is a whole number times a power of 2.
+
+Whole numbers are taken modulo 2⁶⁴ first, then in any length.
+"""
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any

@@ -1,4 +1,4 @@
-"""Bounds how far the floating-point value of a margin is from the exact one.
+"""Bounds how far the floating-point value of a margin is from the exact one, by counting roundings (Higham).
 
 The bound is proved, underflow and overflow included.
 """

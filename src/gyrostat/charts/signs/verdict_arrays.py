@@ -1,4 +1,7 @@
-"""The exact verdict at every point of a grid: floats with a proved bound first, then exact numbers."""
+"""The exact verdict at every point of a grid: floats with a proved bound first, then exact numbers.
+
+The ladder of theorems is asked only at points that both criteria leave open.
+"""
 from collections.abc import Callable, Mapping
 from functools import partial
 from typing import Any

@@ -2,6 +2,6 @@
 
 `scene_options` declares the options that name a scene, and `scene_files` fills them from a file;
 `units_given` tells whether their numbers have units.
-`axis_option` has the values of an axis, `motion_options` a motion and its times, and `latex_options` say how
-LaTeX is written.
+`axis_option` has the values of an axis, `motion_options` a motion and its times. `latex_options` say how
+LaTeX is written, and `picture_options` how a picture is.
 """

@@ -19,7 +19,8 @@ from ...mechanics.scenes.kind import Kind
 from ...notation import NOTATION
 from ...plotting import animate_top, draw_librations, draw_momentum_sphere, draw_nutation, save_animation
 from ...plotting.globe import curve_on, dots_on, towards
-from ...plotting.looks import BLUE, DARK, INK, axis, label, legend, named
+from ...plotting.legends import legend, named
+from ...plotting.looks import BLUE, DARK, INK, axis, label
 from ...printing.files import save_netcdf
 from ...questions.scene_texts import pointing_of
 from ...trajectories import Motion

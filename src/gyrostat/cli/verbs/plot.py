@@ -18,8 +18,9 @@ from ...questions.scene_texts import Asked, scene_of
 from ...stability.criteria.number_notes import scene_note
 from ..options.axis_option import axis_of
 from ..options.motion_options import motion_of, times_of, whole_scene
+from ..options.picture_options import form_of
 from ..options.scene_files import asked_of, with_scene
-from ..output import PICTURES, Output, file_of, printed_look, save_picture
+from ..output import Output, printed_look
 from .motion import POINTS, SPACE
 
 SAMPLES = 200                                          # of the parameter, along eigenvalues
@@ -31,12 +32,10 @@ Drawing = Callable[[argparse.Namespace, Numbers, Any], str]
 def run(given: argparse.Namespace, out: Output) -> int:
     """Write the picture; 0."""
     given = with_scene(given)
-    path = file_of(out, "picture", PICTURES, f"{given.kind}.png, .pdf or .svg")
-    from matplotlib.figure import Figure
+    form = form_of(given, out)
     with printed_look():
-        figure = Figure()
-        note = DRAWN[given.kind](given, numbers_of(given.values), figure)
-        save_picture(figure, path)
+        note = DRAWN[given.kind](given, numbers_of(given.values), figure := form.figure())
+        form.save(figure)
     out.noted(note)
     return 0
 

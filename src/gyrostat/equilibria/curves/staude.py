@@ -39,7 +39,7 @@ class StaudeCone(Shown, Stored):
     >>> print(gs.staude_cone(gs.assemble(body, field)))
     Permanent rotations are about the directions k, |k| = 1, with:
     −m₀ k₁ k₂ = 0
-    The rate, admissible where its square is positive:
+    The rate, which is admissible if its square is positive, is:
     ω² = m₀ k₃ (2 k₁² + k₂²)/(k₁² k₂² + 4 k₁² k₃² + k₂² k₃²)
     """
 

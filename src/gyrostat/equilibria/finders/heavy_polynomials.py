@@ -42,7 +42,8 @@ class Found(NamedTuple):
 def directions_at_rate(scene: System, omega: Expr) -> Iterator[Found]:
     """Yield every k with (∇U − omega l − omega² Ik) × k = 0.
 
-    If U has the degree d, there are at most 2 (d² − d + 1), or curves of them.
+    If U has the degree d, there are at most 2 (d² − d + 1), or curves of them: see
+    docs/explanation/derivations/zeros-on-the-sphere.md, section 3.
     """
     k, inertia, rotor, gradient = _parts(scene)
     return _found(gradient - omega * rotor - omega**2 * inertia * k, omega, S.One, scene, omega)

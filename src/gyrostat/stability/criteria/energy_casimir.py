@@ -1,4 +1,4 @@
-"""The energy-Casimir method: multipliers, and the second variation on the symplectic slice."""
+"""The energy-Casimir method (Arnold): multipliers, and the second variation on the symplectic slice."""
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import Any

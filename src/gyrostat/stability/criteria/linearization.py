@@ -1,4 +1,7 @@
-"""The linearised field on the coadjoint orbit, its characteristic polynomial and eigenvalues."""
+"""The linearised field on the coadjoint orbit, its characteristic polynomial and eigenvalues.
+
+On the orbit the field is Hamiltonian, so that the polynomial is one in λ²; its roots are in closed form.
+"""
 from collections.abc import Sequence
 from dataclasses import dataclass
 

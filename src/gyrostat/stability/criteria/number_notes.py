@@ -1,6 +1,6 @@
 """Says what is unusual about the numbers of a scene or a state, each time in a sentence.
 
-It is no error, and not to be overlooked.
+Such numbers are no error, but they should not be overlooked.
 """
 from collections.abc import Mapping, Sequence
 from dataclasses import replace

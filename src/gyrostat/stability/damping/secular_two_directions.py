@@ -1,4 +1,8 @@
-"""Decides a body in the frame of two directions under internal damping, by its stiffness K."""
+"""Decides a body in the frame of two directions under internal damping, by its stiffness K.
+
+The theorem is that of Kelvin, Tait and Chetaev; the exceptions, in which damping does not reach every motion,
+are derived.
+"""
 from collections.abc import Mapping
 from dataclasses import replace
 

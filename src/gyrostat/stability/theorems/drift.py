@@ -1,6 +1,7 @@
 """Tells whether a tilted equilibrium is stable as a point, not only modulo the spin.
 
-It is not if relative equilibria near it drift along its orbit under the spin; how fast they do is derived.
+It is not if relative equilibria near it drift along its orbit under the spin (Patrick). How fast they do is
+derived, and whether the linearised field shows it by a Jordan block.
 """
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -43,7 +44,7 @@ class Drift(Shown, Stored):
 
     References
     ----------
-    Derived.
+    Derived in docs/explanation/derivations/boundaries.md, section 4.
     """
 
     equilibrium: Equilibrium

@@ -1,4 +1,8 @@
-"""Decides by integrals that the user gives, if the second variation with the Casimirs alone is indefinite."""
+"""Decides by integrals that the user gives, if the second variation with the Casimirs alone is indefinite.
+
+The method is that of Arnold and of Holm, Marsden, Ratiu & Weinstein: a combination h + Σ α F may have a
+definite second variation.
+"""
 from dataclasses import replace
 from typing import Any
 

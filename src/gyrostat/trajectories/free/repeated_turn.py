@@ -1,4 +1,7 @@
-"""The momentum and attitude of a free gyrostat: one turn of its momentum, in balls, repeated."""
+"""The momentum and attitude of a free gyrostat: one turn of its momentum, in balls, repeated.
+
+After a period the momentum is back, and the attitude is turned about it by an angle that is the same in each.
+"""
 import math
 from dataclasses import dataclass
 from functools import lru_cache

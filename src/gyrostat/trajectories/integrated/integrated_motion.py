@@ -1,4 +1,7 @@
-"""Integrates the motion of any concrete scene, with an estimate of its error by a second run."""
+"""Integrates the motion of any concrete scene, with an estimate of its error by a second run.
+
+What the scene conserves is a check of both.
+"""
 import math
 from collections.abc import Sequence
 from importlib.util import find_spec

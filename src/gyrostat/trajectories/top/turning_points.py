@@ -1,4 +1,8 @@
-"""Proves the turning points: the roots of g between which a body of revolution in U(k3) nutates."""
+"""Proves the turning points: the roots of g between which a body of revolution in U(k3) nutates.
+
+Roots of a polynomial g are isolated at once; those of another function by bisection, and both by Newton's
+method in balls.
+"""
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any

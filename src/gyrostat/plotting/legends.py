@@ -1,0 +1,101 @@
+"""Legends and titles: above flat axes, or the legend below a view of space, in as many columns as fit."""
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from ..errors import optional
+from ..printing.formats.linebreaks import width
+from .beside import Marks, written_beside
+
+SWATCH = 3.6                                           # line and gaps of a legend, in sizes of its letters
+
+
+def legend(ax: Any, handles: Sequence[Any], columns: int | None = None, title: str = "",
+           marks: Sequence[Marks] = ()) -> None:
+    """Draw the legend and the title above it; names of marks stand beside them, where there is room.
+
+    Parameters
+    ----------
+    ax : matplotlib Axes
+    handles : sequence of artists
+        what the legend names
+    columns : int or None
+        at most; None: all in a row
+    title : str
+    marks : sequence of Marks
+        those without room beside them are named in the legend
+    """
+    listed, beside = list(handles), list(marks)
+    while True:
+        _rows(ax, listed, columns, title)
+        if not beside:
+            return
+        room(ax)                                       # names are placed on axes that leave room for the rows
+        names, left = written_beside(ax, beside)
+        if not left:
+            return
+        for name in names:
+            name.remove()
+        listed += [kind.handle for kind in left]
+        beside = [kind for kind in beside if kind not in left]
+
+
+def _rows(ax: Any, handles: Sequence[Any], columns: int | None, title: str) -> None:
+    """The legend in columns, and the title above it."""
+    rows = 0.0
+    if handles and ax.name == "3d":
+        columns = _columns(handles, columns or len(handles), room(ax))
+        _legend(ax, handles, columns, loc="upper center", bbox_to_anchor=(0.5, 0.03), borderaxespad=0.2)
+    elif handles:
+        ticks = ax.yaxis.get_major_formatter()
+        ticks.format_ticks(ax.get_yticks())
+        pad = 1.6 if ticks.get_offset() else 0.2       # room for a power of ten that the ticks have in common
+        start, space = _span(ax)
+        columns = _columns(handles, columns or len(handles), space)
+        size = _legend(ax, handles, columns, loc="lower left", bbox_to_anchor=(start, 1), borderaxespad=pad)
+        rows = size * (1.65 * -(-len(handles) // columns) + pad)
+    ax.set_title(title, pad=4 + rows, fontsize="medium", va="bottom")
+
+
+def _legend(ax: Any, handles: Sequence[Any], columns: int, **where: Any) -> float:
+    """Put the legend; the size of its letters."""
+    found = ax.legend(handles=handles, ncols=columns, frameon=False, columnspacing=1.2, handlelength=1.6,
+                      **where)
+    return float(found.get_texts()[0].get_fontsize())
+
+
+def room(ax: Any) -> float:
+    """The width of the axes in points, after the figure has laid them out."""
+    figure = ax.get_figure(root=True)
+    if layout := figure.get_layout_engine():
+        layout.execute(figure)
+    return float(ax.get_window_extent().width * 72 / figure.dpi)
+
+
+def _span(ax: Any) -> tuple[float, float]:
+    """Where a legend of flat axes begins, above the label of the axis, in widths of the axes; its room."""
+    if ax.get_legend():
+        ax.get_legend().remove()
+    space = room(ax)
+    frame, label = ax.get_window_extent(), ax.yaxis.get_tightbbox()
+    outside = max(0.0, float(frame.x0 - label.x0)) / frame.width if label else 0.0
+    return -outside, space * (1 + outside)
+
+
+def _columns(handles: Sequence[Any], most: int, space: float) -> int:
+    """As many columns of a legend as there is room for, in points."""
+    size = optional("matplotlib", "plot").rcParams["legend.fontsize"]
+    size = optional("matplotlib.font_manager", "plot").FontProperties(size=size).get_size_in_points()
+    wide = [0.08 * width(handle.get_label().replace("$", "")) + SWATCH for handle in handles]
+    for columns in range(min(most, len(handles)), 1, -1):
+        # the first columns are the longer ones, as Matplotlib fills them
+        if sum(map(max, np.array_split(wide, columns))) <= space / size:
+            return columns
+    return 1
+
+
+def named(style: dict[str, Any], name: str) -> Any:
+    """What stands in a legend for a line or a marker."""
+    from matplotlib.lines import Line2D
+    return Line2D([], [], label=name, **style)
