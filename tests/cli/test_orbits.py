@@ -159,7 +159,7 @@ def test_a_chart_and_its_data(capsys, file, tmp_path):
 
 
 REFUSED = [
-    ("decide", ("--equilibrium", "earth-pointing"), "one of a satellite in orbit, and this body is in no orbit"),
+    ("decide", ("--equilibrium", "earth-pointing"), "a satellite in orbit, and this body is in no orbit"),
     ("decide", ("--orbit", "1", "--equilibrium", "E1"), "is one of a body in a field fixed in space"),
     ("decide", ("--orbit", "1", "--equilibrium", "axis 1"), "is one of a free body"),
     ("decide", (*BODY, "--potential", "k1*k3"), "a direction fixed in space"),
