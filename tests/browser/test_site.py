@@ -19,9 +19,9 @@ TEN = ("index.html", "install.html", "tutorials/first-verdict.html", "how-to/sat
 FOUND = {"reaction wheel": "how-to/data-sheet.html", "gravity gradient": "how-to/satellites.html",
          "Excel": "how-to/tables.html", "MATLAB": "how-to/tables.html", "install": "install.html",
          "exercise": "tutorials/first-verdict.html", "Lagrange top": "tutorials/first-verdict.html"}
-# how many of a hundred may be wider than their place; these numbers only fall
-WIDE = {(1280, "code"): 33, (1280, "formula"): 1, (1280, "table"): 4, (1280, "page"): 0,
-        (390, "code"): 5, (390, "formula"): 5, (390, "table"): 25, (390, "page"): 0}
+# what may be wider than its place: at 1280 pixels how many, at 390 how many of a hundred; these only fall
+WIDE = {(1280, "code"): 27, (1280, "formula"): 9, (1280, "table"): 0, (1280, "page"): 0,
+        (390, "code"): 5, (390, "formula"): 5, (390, "table"): 5, (390, "page"): 0}
 
 
 @pytest.fixture(scope="module")
@@ -31,7 +31,8 @@ def boxes(site, browser):
     for name, width in product(PAGES, (1280, 390)):
         opened(tab, f"{site}/{name}", width)
         for kind, wide, text in measured(tab):
-            found[width, kind].append((name, wide, text))
+            if kind != "table" or not name.startswith("measured/"):    # records: they scroll in themselves
+                found[width, kind].append((name, wide, text))
     tab.close()
     return found
 
@@ -41,7 +42,8 @@ def test_what_is_shown_fits_its_place(boxes, case):
     """Code and outputs, formulas, tables and whole pages on a desk and on a telephone."""
     wide = [f"{name}: {max(text.splitlines() or [''], key=len)}" for name, wide, text in boxes[case] if wide]
     assert len(boxes[case]) > 50
-    assert 100 * len(wide) <= WIDE[case] * len(boxes[case]), "\n".join([f"{len(wide)}:", *wide])
+    most = WIDE[case] if case[0] == 1280 else WIDE[case] / 100 * len(boxes[case])
+    assert len(wide) <= most, "\n".join([f"{len(wide)} of {len(boxes[case])}:", *wide])
 
 
 @pytest.mark.parametrize("scheme", ["light", "dark"])

@@ -90,7 +90,8 @@ def parser() -> argparse.ArgumentParser:
                         "your own; default: the first seven")
     verify.add_argument("--full", action="store_true",
                         help="print whole formulas, the hypotheses of each statement, and by which route a "
-                        "confirmed one was derived and compared")
+                        "confirmed one was derived and compared; with --format latex: add a table of what "
+                        "is confirmed")
     decide.add_argument("--full", action="store_true",
                         help="print below the table of several equilibria the details of each: exact "
                         "numbers, frequencies, margins and reasons")

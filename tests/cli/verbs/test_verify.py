@@ -73,7 +73,7 @@ def test_verify_json(capsys, checked_once):
 
 
 def test_verify_latex(capsys, tmp_path, checked_once):
-    """A table of errata, of misprints only, as a document or a fragment."""
+    """A table of errata, of misprints only, as a document or a fragment; --full adds what is confirmed."""
     (path := tmp_path / "mine.toml").write_text(OWN)
     _, out, _ = verify(capsys, "AR", str(path), "--format", "latex")
     assert "A paper of my own" in out
@@ -84,6 +84,9 @@ def test_verify_latex(capsys, tmp_path, checked_once):
     _, part, _ = verify(capsys, "AR", "--format", "latex", "--fragment")
     assert part.startswith("% needs amsmath, array and longtable\n" + r"\begingroup")
     assert r"\documentclass" not in part
+    _, full, _ = verify(capsys, "AR", "--format", "latex", "--full")
+    assert r"\caption{Confirmed statements}" in full and "K-constant" in full
+    assert r"\caption{Confirmed" not in out
 
 
 def test_errata_in_the_symbols_of_a_paper(capsys, tmp_path, checked_once):

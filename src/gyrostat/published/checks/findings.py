@@ -79,8 +79,8 @@ def check(sources: Iterable[str | Path] = SOURCES,
     Examples
     --------
     >>> import gyrostat as gs
-    >>> wrong = [f.statement.key for f in gs.published.check(["AR"]) if f.status == "misprint"]
-    >>> wrong
+    >>> findings = gs.published.check(["AR"])
+    >>> [f.statement.key for f in findings if f.status == "misprint"]
     ['Omega-1', 'Omega-2', 'Omega-3', '2K-dot', 'ellipsoid']
     """
     return list(findings(sources, progress))
