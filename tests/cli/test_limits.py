@@ -36,7 +36,7 @@ def test_a_time_is_positive_seconds(capsys, text):
     """Or none."""
     with pytest.raises(SystemExit) as stop:
         main(["report", f"--timeout={text}"])
-    assert stop.value.code == 2 and "is no time: give seconds" in capsys.readouterr().err
+    assert stop.value.code == 2 and "is not a time: give seconds" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize("arguments", [

@@ -159,9 +159,9 @@ def test_a_chart_and_its_data(capsys, file, tmp_path):
 
 
 REFUSED = [
-    ("decide", ("--equilibrium", "earth-pointing"), "is of a satellite in orbit, and this body is in none"),
-    ("decide", ("--orbit", "1", "--equilibrium", "E1"), "is of a body in a field fixed in space"),
-    ("decide", ("--orbit", "1", "--equilibrium", "axis 1"), "is of a free body"),
+    ("decide", ("--equilibrium", "earth-pointing"), "a satellite in orbit, and this body is in no orbit"),
+    ("decide", ("--orbit", "1", "--equilibrium", "E1"), "is one of a body in a field fixed in space"),
+    ("decide", ("--orbit", "1", "--equilibrium", "axis 1"), "is one of a free body"),
     ("decide", (*BODY, "--potential", "k1*k3"), "a direction fixed in space"),
     ("report", (*BODY, "--potential", "U(k3)"), "unspecified"),
     ("report", ("--potential", "3/2*w^2*(I1*r1^2 + I3*n3^2)"), "--orbit, which has the gravity gradient"),
