@@ -15,6 +15,7 @@ ARCS = ["--potential", "m0*(k1 + k3)", "--set", "I1=1 kg m^2", "I2=2 kg m^2", "I
 FILE = """
 [scene.station]
 inertia = ["3 UNIT", "3 UNIT", "5 UNIT"]
+lumped = true
 rotors = [{ axis = [0, 0, 1], axial = "1/2 UNIT", transverse = "1/3 UNIT", momentum = 0 }]
 """
 
