@@ -45,7 +45,7 @@ def run(given: argparse.Namespace, out: Output) -> int:
     path = None if out.path is None else file_of(out, "motion", (".csv", ".nc", *PICTURES, *FILMS), KINDS)
     kind, digits = path.suffix if path else ".csv", given.precision
     if digits is not None and kind != ".csv":
-        raise ValuesError(f"--precision {digits} is for a table, {path} holds doubles: leave it out, or "
+        raise ValuesError(f"--precision {digits} is for a table, and {path} holds doubles: leave it out, or "
                           "write a .csv")
     times = times_of(given, {**dict.fromkeys(PICTURES, POINTS),
                              **dict.fromkeys(FILMS, FRAMES)}.get(kind, ROWS))
