@@ -97,7 +97,7 @@ def test_errata_in_the_symbols_of_a_paper(capsys, tmp_path, checked_once):
     assert r"\caption{Misprints}\label{my:errata}" in out and r"\mu" in out and "I_1" not in out
     assert r"\noindent In what is said in words, I1 is $A$, m0 is $\mu$.\par" in out
     status, out, err = verify(capsys, str(path), "--symbols", "I1=A")
-    assert status == 2 and out == "" and "--symbols is for LaTeX, --format is text: add --format latex" in err
+    assert status == 2 and out == "" and "--symbols is for LaTeX, and --format is text: add" in err
 
 
 def test_verify_a_file_of_ones_own(capsys, tmp_path):

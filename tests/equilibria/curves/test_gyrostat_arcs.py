@@ -228,8 +228,8 @@ def test_a_circle_of_one_rate_is_named():
 def test_as_text():
     arc = next(arc for arc in arcs_of(*SPECIAL["on one axis"]) if arc.curve.unknown == k2)
     said = " ".join(str(arc).split())
-    assert said.startswith("This arc leads from k = (0, −1, 0), where ω → −∞, to k = (0, 0, 1), where ω = −5/4 "
-                           "− √105/4 ≈ −3.812 and two rotations meet. Its parameter is the rate ω. Along the ")
+    assert said.startswith("This arc leads from k = (0, −1, 0), where ω → −∞, to k = (0, 0, 1), where ω = "
+                           "−5/4 − √105/4 ≈ −3.812 and two rotations meet. Its parameter is the rate ω. ")
     assert r"\omega\to-\infty" in gs.to_latex(arc)
 
 

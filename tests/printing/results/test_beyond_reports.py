@@ -118,7 +118,7 @@ def test_what_is_long_under_a_root_has_a_name():
 
 @pytest.mark.parametrize("spin, said", [
     ("1.5", "stable; a sufficient condition for stability is proved to hold"),
-    ("1.25", "stable; it is proved where the two conditions do not decide"),
+    ("1.25", "stable; the two conditions do not decide, a theorem does"),
     ("1.2", "unstable; a necessary condition for stability is proved to fail")])
 def test_a_verdict_says_whether_a_condition_proves_it(spin, said):
     """Not on the boundary, where the sufficient one fails and the necessary one holds."""

@@ -55,10 +55,10 @@ def integral_blocks(report: Report) -> list[Block]:
     if not report.equilibrium.system.given_integrals:
         return []
     if report.sufficient == report.casimirs_only:
-        return [sentence("The integrals that are given take part in verdicts at numbers, not in this "
+        return [sentence("The integrals that are given take part in verdicts at given numbers, not in this "
                          "condition.")]
     return [sentence("There the second variation of h + α F is definite on the orbit for some α, F an "
-                     "integral of the scene; α is eliminated, a verdict at numbers gives it.")]
+                     "integral of the scene; α is eliminated, and a verdict at given numbers gives it.")]
 
 
 def _alternative(alternative: tuple[Condition, ...], at: Any, label: str) -> list[Block]:

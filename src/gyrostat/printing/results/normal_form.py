@@ -52,7 +52,7 @@ def window_blocks(window: Window) -> list[Block]:
                  "resonance 1:2 or 1:3, that is if")]
     blocks += [Display(readable(margin), S.Zero, window.at, "≠") for _, _, margin in window.resonances]
     if window.margin.is_number:
-        said = "" if window.zeros else f", {'positive' if window.margin > 0 else 'negative'} there"
+        said = "" if window.zeros else f", which is {'positive' if window.margin > 0 else 'negative'} there"
         return [*blocks, sentence("and if ", D4, f" ≠ 0{said}:"), Display(D4, readable(window.D4), window.at)]
     top, bottom = lowest_terms(window.D4 / window.margin).as_numer_denom()
     if top.could_extract_minus_sign():
