@@ -9,12 +9,14 @@ from sphinx.application import Sphinx
 
 from gyrostat.cli.parser import parser
 
+COLUMNS = 76                                           # of what the site shows as code
+
 
 class CommandLine(Directive):
     """A section for each verb, and for each kind of `gyrostat plot`."""
 
     def run(self) -> list[nodes.Node]:
-        """The sections, in the order of the parser, made anew in every build."""
+        """Return the sections, in the order of the parser, made anew in every build."""
         self.state.document.settings.env.note_reread()
         return [section(verb, self.state) for verb in verbs(parser())]
 
@@ -38,7 +40,7 @@ def section(verb: argparse.ArgumentParser, state: object) -> nodes.section:
     made += console(usage(verb))
     made += options(verb)
     if verb.epilog:
-        made += console(verb.epilog)
+        made += console(verb._get_formatter()._fill_text(verb.epilog, COLUMNS, ""))
     return made
 
 

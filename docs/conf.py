@@ -1,8 +1,9 @@
 """The site: sphinx-build -W -b html docs build/site, with the extra docs."""
+import json
 import re
 import sys
 from pathlib import Path
-from shutil import copytree, ignore_patterns
+from shutil import copy, copytree, ignore_patterns
 
 from sphinx.application import Sphinx
 
@@ -71,8 +72,25 @@ def pages_from_elsewhere() -> None:
             page = HERE / folder / file.name
             content = file.read_bytes().replace(b"](../docs/", b"](../")
             content = content.replace(b"](../benchmarks/", b"](../measured/")
+            if folder == "notebooks":
+                content = with_download(content, file.name)
             if not page.exists() or page.read_bytes() != content:      # what is unchanged is not built again
                 page.write_bytes(content)
+
+
+def with_download(content: bytes, name: str) -> bytes:
+    """Return a notebook as a page: below its first cell a link downloads the file."""
+    notebook = json.loads(content)
+    link = f'<a href="{name}" download>Download this notebook</a> (.ipynb) to run it with other numbers.'
+    notebook["cells"].insert(1, {"cell_type": "markdown", "id": "download", "metadata": {}, "source": [link]})
+    return json.dumps(notebook).encode()
+
+
+def notebooks_beside_their_pages(app: Sphinx, error: Exception | None) -> None:
+    """Copy each notebook as it is in the source, without the link."""
+    if error is None:
+        for file in HERE.parent.glob("notebooks/*.ipynb"):
+            copy(file, Path(app.outdir) / "notebooks")
 
 
 def schemas_beside_their_page(app: Sphinx, error: Exception | None) -> None:
@@ -98,5 +116,6 @@ def setup(app: Sphinx) -> None:
     """What is done before and after the build."""
     pages_from_elsewhere()
     app.connect("autodoc-process-docstring", links_to_pages)
+    app.connect("build-finished", notebooks_beside_their_pages)
     app.connect("build-finished", schemas_beside_their_page)
     app.connect("build-finished", page_to_try)

@@ -127,6 +127,16 @@ class TestNotebook:
             assert not number.search("".join(cell["source"]))
 
 
+def test_the_index_has_the_order_that_the_notebooks_say():
+    """Notebook n of 13 is the nth of its list, and of its pages."""
+    page = (Path(__file__).parents[1] / "docs" / "notebooks" / "index.md").read_text(encoding="utf-8")
+    said = {int(re.search(r"Notebook (\d+) of (\d+)", path.read_text(encoding="utf-8"))[1]): path.stem
+            for path in NOTEBOOKS}
+    order = [said[n] for n in range(1, len(NOTEBOOKS) + 1)]
+    assert re.findall(r"^\d+\. \[.*\]\((.*)\.ipynb\)$", page, re.MULTILINE) == order
+    assert page.split(":hidden:\n")[1].split("```")[0].split() == order
+
+
 def sentences(sources):
     """What the cells that are sentences say, after all cells have been run, here and not in a kernel."""
     names, said = {}, []

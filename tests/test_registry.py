@@ -15,6 +15,17 @@ from gyrostat.registry import Letters, free_letters, refused, use_of
 PAGE = Path(__file__).parents[1] / "docs" / "reference" / "names.md"
 TABLE = re.compile(r"<!-- ([A-Z]+) -->\n(.*?)<!-- end -->", re.DOTALL)
 HEADS = {Use.PRINTED: ("printed", "what it is", "in its place")}
+FORMULAS = {                                               # in the meanings, as the page typesets them
+    "π1": r"\pi_1", "π2": r"\pi_2", "π3": r"\pi_3", "U": "U", "k3": "k_3", "C1": "C_1", "C2": "C_2",
+    "M": "M", "K": "K", "H": "H",
+    "ω = omega·k": r"\omega k", "|k| = 1": r"\lvert k\rvert = 1", "k3 = cos(theta)": r"k_3 = \cos\theta",
+    "m g z0": "m g z_0", "3 g / r, r": "3g/r$, $r", "M·k": r"M\cdot k", "C1 = M·k": r"C_1 = M\cdot k",
+    "Iω + l": r"I\omega + l", "|M|²": r"\lvert M\rvert^2", "k·Ik": r"k\cdot Ik", "λ²": r"\lambda^2",
+    "2 ω Ik + l": r"2\omega Ik + l", "I1 dk3/dt": "I_1\\,dk_3/dt", "g": "g", "D4": "D_4",
+    **{f"∫ |x|^{n} P_{n}(x3/|x|) dm": rf"\int \lvert x\rvert^{n} P_{n}(x_3/\lvert x\rvert)\,dm"
+       for n in range(3, 10)}}
+LONGEST_FIRST = sorted(FORMULAS, key=len, reverse=True)
+FORMULA = re.compile("|".join(rf"(?<!\w){re.escape(text)}(?!\w)" for text in LONGEST_FIRST))
 k1, k3 = gs.symbol("k1"), gs.symbol("k3")
 
 
@@ -30,9 +41,16 @@ def table(use):
             letters = ", ".join(f"`{letter}`" for letter in entry.instead.split())
             if entry.name.startswith("vector_"):
                 letters = "bold, all vectors"
-            meaning = entry.meaning.replace("|", r"\|").replace("*", r"\*")
+            meaning = FORMULA.sub(lambda found: f"${FORMULAS[found[0]]}$", entry.meaning)
             lines.append(f"| `{name}` | {meaning}{', positive' if entry.positive else ''} | {letters} |")
     return "\n".join(lines)
+
+
+def test_formulas_in_the_table_are_typeset():
+    """No Greek letter, index, power, bar or product stands outside of a formula."""
+    for entry in REGISTRY:
+        text = FORMULA.sub("", entry.meaning)
+        assert not re.search(r"[α-ωΑ-Ω²·∫|^*]|\b[A-Za-z]\d", text), (entry.name, text)
 
 
 def filled(page):

@@ -13,15 +13,15 @@ from browser.boxes import measured, opened
 SITE = Path(os.environ["GYROSTAT_SITE"])
 PAGES = sorted(str(path.relative_to(SITE)) for path in SITE.rglob("*.html")
                if path.relative_to(SITE).parts[0] not in ("try", "_static"))
-TEN = ("index.html", "install.html", "tutorials/first-verdict.html", "how-to/satellites.html", "faq.html",
+HELD = ("index.html", "install.html", "tutorials/first-verdict.html", "how-to/satellites.html", "faq.html",
        "explanation/stability.html", "reference/command-line.html", "gallery/index.html",
-       "reference/api/names/gyrostat.analyze.html", "search.html?q=top")
+       "reference/api/names/gyrostat.analyze.html", "search.html?q=top", "try/index.html")
 FOUND = {"reaction wheel": "how-to/data-sheet.html", "gravity gradient": "how-to/satellites.html",
          "Excel": "how-to/tables.html", "MATLAB": "how-to/tables.html", "install": "install.html",
          "exercise": "tutorials/first-verdict.html", "Lagrange top": "tutorials/first-verdict.html"}
-# how many of a hundred may be wider than their place; these numbers only fall
-WIDE = {(1280, "code"): 33, (1280, "formula"): 1, (1280, "table"): 4, (1280, "page"): 0,
-        (390, "code"): 5, (390, "formula"): 5, (390, "table"): 25, (390, "page"): 0}
+# what may be wider than its place: at 1280 pixels how many, at 390 how many of a hundred; these only fall
+WIDE = {(1280, "code"): 27, (1280, "formula"): 9, (1280, "table"): 0, (1280, "page"): 0,
+        (390, "code"): 5, (390, "formula"): 5, (390, "table"): 5, (390, "page"): 0}
 
 
 @pytest.fixture(scope="module")
@@ -31,7 +31,8 @@ def boxes(site, browser):
     for name, width in product(PAGES, (1280, 390)):
         opened(tab, f"{site}/{name}", width)
         for kind, wide, text in measured(tab):
-            found[width, kind].append((name, wide, text))
+            if kind != "table" or not name.startswith("measured/"):    # records: they scroll in themselves
+                found[width, kind].append((name, wide, text))
     tab.close()
     return found
 
@@ -41,17 +42,21 @@ def test_what_is_shown_fits_its_place(boxes, case):
     """Code and outputs, formulas, tables and whole pages on a desk and on a telephone."""
     wide = [f"{name}: {max(text.splitlines() or [''], key=len)}" for name, wide, text in boxes[case] if wide]
     assert len(boxes[case]) > 50
-    assert 100 * len(wide) <= WIDE[case] * len(boxes[case]), "\n".join([f"{len(wide)}:", *wide])
+    most = WIDE[case] if case[0] == 1280 else WIDE[case] / 100 * len(boxes[case])
+    assert len(wide) <= most, "\n".join([f"{len(wide)} of {len(boxes[case])}:", *wide])
 
 
 @pytest.mark.parametrize("scheme", ["light", "dark"])
 def test_pages_can_be_used_by_everybody(site, browser, scheme):
     """axe-core finds nothing."""
-    tab = browser.new_page(color_scheme=scheme)
-    said = []
-    for name in TEN:
+    tab, said = browser.new_page(color_scheme=scheme), []
+    tab.set_default_timeout(60_000)
+    for name in HELD:
         opened(tab, f"{site}/{name}", 1280)
         tab.wait_for_load_state("networkidle")
+        if name.startswith("try/"):
+            tab.wait_for_selector("body:not(:has([aria-busy=true])):has(.badge) #state:not(:empty)")
+            tab.wait_for_timeout(500)                      # what was pale becomes dark in a quarter of a second
         said += [f"{name}: {each['help']}: {node['html'][:200]}"
                  for each in Axe().run(tab).response["violations"] for node in each["nodes"]]
     tab.close()
@@ -69,6 +74,17 @@ def test_the_home_page_is_small(site, browser):
     sizes = Counter({name: compressed(SITE / name) for name in asked})
     assert {"index.html", "searchindex.js", "_static/site.css"} <= asked
     assert sum(sizes.values()) <= 1_000_000, sizes.most_common(5)
+
+
+def test_each_notebook_can_be_downloaded(site, browser):
+    """As it stands in the source, by a link on its page."""
+    tab = browser.new_page()
+    for notebook in sorted((Path(__file__).parents[2] / "notebooks").glob("*.ipynb")):
+        tab.goto(f"{site}/notebooks/{notebook.stem}.html")
+        with tab.expect_download() as download:
+            tab.click("text=Download this notebook")
+        assert Path(download.value.path()).read_bytes() == notebook.read_bytes()
+    tab.close()
 
 
 @pytest.mark.parametrize("words", FOUND)

@@ -30,4 +30,5 @@ def test_every_key_has_its_line():
     from gyrostat.mechanics.families.scene_tables import KEYS
     listed = TEXT.split("## Options and keys")[1].split("\n## ")[0]
     named = re.findall(r"^- `(\w+)`", listed, re.MULTILINE)
-    assert len(named) == len(set(named)) and set(named) == KEYS - {"angles", "vertical", "given", "parameters"}
+    keys = KEYS - {"angles", "vertical", "given", "parameters"}
+    assert len(named) == len(set(named)) and set(named) == keys

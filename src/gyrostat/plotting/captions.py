@@ -65,7 +65,7 @@ def caption(ax: Any) -> str:
     Parameters
     ----------
     ax : matplotlib Axes
-        that a draw_ function has returned
+        that a function of gyrostat.plotting has returned
 
     Returns
     -------
@@ -75,7 +75,7 @@ def caption(ax: Any) -> str:
     Raises
     ------
     ArgumentError
-        no draw_ function has drawn on the axes
+        no function of gyrostat.plotting has drawn on the axes
 
     Examples
     --------

@@ -108,7 +108,8 @@ def save_netcdf(dataset: Any, path: str | os.PathLike[str], **kwargs: Any) -> No
     >>> import gyrostat as gs
     >>> import os
     >>> import tempfile
-    >>> turning = gs.trajectories.motion(gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 0))), (0, 0, 3))
+    >>> body = gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 0)))
+    >>> turning = gs.trajectories.motion(body, (0, 0, 3))
     >>> with tempfile.TemporaryDirectory() as folder:
     ...     gs.charts.save_netcdf(turning.to_xarray([0, 1]), f"{folder}/turning.nc")
     ...     os.listdir(folder)

@@ -5,8 +5,15 @@ from typing import Any
 from sympy import Expr
 
 from ..mechanics.scenes.coupled import CoupledPotential
+from ..mechanics.scenes.potential import DIRECTIONS
+from ..notation import symbol
 from .scenes import Scene
-from .statements import Statement, as_text
+from .statements import Statement
+
+
+class Printed(str):
+    """A formula that stands in the file: text shows it as it is, LaTeX typesets it."""
+
 
 Row = tuple[str, tuple[str | Expr, ...]]               # a name, then words and formulas in their order
 
@@ -29,9 +36,9 @@ def hypotheses(statement: Statement) -> list[Row]:
     scene, claims_existence = statement.scene, statement.quantity == "existence"
     found = [*_body(scene), *_field(scene), *_equilibrium(scene, claims_existence)]
     given = [text for text in (scene.table.get("given"), statement.given) if text]
-    found += [("given", (" and ".join(dict.fromkeys(given)),))] if given else []
+    found += [("given", (Printed(" and ".join(dict.fromkeys(given))),))] if given else []
     own = (("with", statement.let), ("at", statement.at))
-    return found + [(name, (_assigned(texts),)) for name, texts in own if texts]
+    return found + [(name, _assigned(texts, Printed)) for name, texts in own if texts]
 
 
 def _body(scene: Scene) -> Iterator[Row]:
@@ -51,22 +58,25 @@ def _field(scene: Scene) -> Iterator[Row]:
     """What acts on the body; of kinematics the angles."""
     table, potential = scene.table, scene.potential
     if "angles" in table:
+        vertical = table.get("vertical")
         yield "motion", ("described by Euler angles ", "-".join(table["angles"]),
-                         f", free, the momentum {table['vertical']} along z" if "vertical" in table else "")
+                         *((", free, the momentum ", Printed(vertical), " along z") if vertical else ()))
     if "orbit" in table:
         beside = table.get("potential", "none")
-        yield "field", (f"gravity gradient in a circular orbit, {_assigned(table['orbit'])}",
-                        "" if beside == "none" else f", and the energy {beside}")
+        yield "field", ("gravity gradient in a circular orbit, ", *_assigned(table["orbit"]),
+                        *(() if beside == "none" else (", and the energy ", Printed(beside))))
     elif "vehicle" in table:
-        yield "field", (f"vehicle in a fluid, {_assigned(table['vehicle'])}",)
+        yield "field", ("vehicle in a fluid, ", *_assigned(table["vehicle"]))
     elif isinstance(potential, CoupledPotential):
-        yield "field", ("U = ", potential.expression, f", directions {', '.join(potential.directions)}")
+        yield "field", (symbol("U"), " = ", potential.expression,
+                        f", directions {', '.join(potential.directions)}")
     elif potential is None and "angles" not in table:
         yield "field", ("none, the body is free",)
     elif potential and potential.given:
-        yield "field", ("U = ", potential.expression)
+        yield "field", (symbol("U"), " = ", potential.expression)
     elif potential:
-        yield "field", (f"U({'k3' if potential.axial else 'k1, k2, k3'}), unspecified",)
+        directions = DIRECTIONS[2:] if potential.axial else DIRECTIONS
+        yield "field", (symbol("U"), "(", *_joined(directions), "), unspecified")
 
 
 def _equilibrium(scene: Scene, claims_existence: bool) -> Iterator[Row]:
@@ -90,6 +100,11 @@ def _joined(entries: Iterable[Any], sign: str = ", ") -> tuple[str | Expr, ...]:
     return tuple(found)
 
 
-def _assigned(texts: Mapping[str, Any]) -> str:
-    """Names with the texts that the file gives them."""
-    return ", ".join(f"{name} = {as_text(text)}" for name, text in texts.items())
+def _assigned(texts: Mapping[str, Any], name_as: type[str] = str) -> tuple[str | Expr, ...]:
+    """Names with the texts that the file gives them; name_as is Printed if the names stand in formulas."""
+    return _joined([(name_as(name), " = ", *_printed(text)) for name, text in texts.items()])
+
+
+def _printed(text: Any) -> tuple[str | Expr, ...]:
+    """A text of the file, or a list of them in brackets."""
+    return (Printed(text),) if isinstance(text, str) else ("[", *_joined(map(_printed, text)), "]")

@@ -18,6 +18,7 @@ from .statements import Counterexample, as_text, entry_of
 NOT_SHARP = "no point was found at which it fails, but it is not the whole condition:"
 SCENE = "the numbers of the scene"
 SHORT = 36                                             # characters of an exact number beside its digits
+IN_WORDS = ("condition", "statement", "count")         # kinds whose quantity is a claim in words
 _MARK = {"confirmed": "✓", "misprint": "✗", "unchecked": "–"}
 
 
@@ -118,40 +119,50 @@ def _confirmed(f: Finding, width: int, full: bool) -> list[tuple[str, str]]:
 
 def _derived(f: Finding) -> str:
     """What the library derives for the quantity of a statement, beside the quantity."""
-    s, value = f.statement, f.outcome.derived
-    quantity = as_text(s.quantity)
-    if s.kind in ("condition", "statement", "count"):
-        return f"{quantity}: {_one_line(value, place(f))}"
-    if s.kind == "number":
-        return f"{quantity} {_decimal(value)}"
+    value, said = f.outcome.derived, as_text(quantity(f))
+    if f.statement.kind in IN_WORDS:
+        return f"{said}: {_one_line(value, place(f))}"
+    if f.statement.kind == "number":
+        return f"{said} {_decimal(value)}"
+    return f"{said} = {_entries(value, place(f))}"
+
+
+def quantity(f: Finding) -> Any:
+    """The text, or texts, of what the derived value is equal to."""
+    s = f.statement
     if s.kind == "equilibrium":
-        quantity = "state" if s.scene.equilibrium else "field"
-    elif s.kind == "solution":
-        quantity = f"dt({quantity})"
-    elif set(quantity) <= set("0[], "):                    # what is printed is equal to 0
-        quantity = as_text(s.printed)
-    return f"{quantity} = {_entries(value, place(f))}"
+        return "state" if s.scene.equilibrium else "field"
+    if s.kind == "solution":
+        return [f"dt({name})" for name in s.quantity]
+    if set(as_text(s.quantity)) <= set("0[], "):           # what is printed is equal to 0
+        return s.printed
+    return s.quantity
 
 
 def _entries(value: Any, at: Any) -> str:
     """A formula, or those of a vector or matrix as a list."""
     if not isinstance(value, MatrixBase):
-        return _shortest(value, at)
-    rows = [[_shortest(entry, at) for entry in row] for row in value.tolist()]
+        return unicode(shortest(value, at), at)
+    rows = [[unicode(shortest(entry, at), at) for entry in row] for row in value.tolist()]
     return as_text([row[0] for row in rows] if value.cols == 1 else rows)
 
 
-def _shortest(value: Expr, at: Any) -> str:
+def shortest(value: Expr, at: Any) -> Expr:
     """A formula as it was derived, or factored if that is shorter."""
-    return min(unicode(value, at), unicode(_shown(value), at), key=len)
+    return min(value, _shown(value), key=lambda e: len(unicode(e, at)))
+
+
+def is_short(value: Expr) -> bool:
+    """Whether an exact number is short enough to stand beside its digits."""
+    return len(unicode(value)) <= SHORT and not value.has(Float)
 
 
 def _decimal(value: Expr) -> str:
     """A number after its sign: = and exact if that is short, else ≈ and 15 digits."""
-    exact, digits = unicode(value), str(value.evalf(15))
-    if len(exact) > SHORT or value.has(Float):
+    digits = str(value.evalf(15))
+    if not is_short(value):
         return f"≈ {digits}"
-    return f"= {exact}" if value.is_Rational else f"= {exact} ≈ {digits}"
+    return f"= {unicode(value)}" if value.is_Rational else f"= {unicode(value)} ≈ {digits}"
 
 
 def _assumed(f: Finding) -> list[tuple[str, str]]:

@@ -10,7 +10,9 @@ from sympy import Rational
 
 from ..algebra.text.bounded_parts import FUNCTIONS, Part
 from ..algebra.text.spelling import RELATIONS
+from ..errors import ExpressionError
 from ..printing.formats.latex_names import Names
+from ..printing.formats.prose import words
 from .language import Formula
 
 _NAMES = {"vector_pi": r"\boldsymbol{\pi}", "vector_k": r"\mathbf{k}", "vector_l": r"\boldsymbol{l}",
@@ -123,3 +125,15 @@ def formula_of(printed: str, names: Names, at: Any = None) -> str:
         relations = [{"<=": r"\leq", ">=": r"\geq"}.get(sign, sign) for sign in pieces[1::2]]
         words.append(" ".join(x for pair in zip(sides, [*relations, ""]) for x in pair).strip())
     return r" \text{ and } ".join(words)
+
+
+def printed_latex(printed: Any, names: Names, at: Any = None) -> str:
+    """LaTeX, for mathematical mode, of a printed text or texts: a formula, comparisons, or words."""
+    if isinstance(printed, list):
+        # so that lines may end at the commas
+        entries = "$, $".join(printed_latex(entry, names, at) for entry in printed)
+        return rf"\bigl({entries}\bigr)"
+    try:
+        return formula_of(printed, names, at)
+    except ExpressionError:                                # a verdict in words
+        return rf"\text{{{words(printed)}}}"

@@ -85,8 +85,9 @@ class Counterexample:
     Examples
     --------
     >>> import gyrostat as gs
-    >>> finding = next(f for f in gs.published.check(["AR"]) if f.statement.key == "2K-dot")
-    >>> finding.outcome.counterexample.printed != finding.outcome.counterexample.derived
+    >>> findings = {f.statement.key: f for f in gs.published.check(["AR"])}
+    >>> counterexample = findings["2K-dot"].outcome.counterexample
+    >>> counterexample.printed != counterexample.derived
     True
     """
 

@@ -41,7 +41,8 @@ def report(scene: Scene) -> dict[str, Any]:
     >>> import gyrostat as gs
     >>> top = {"potential": "m0*k3", "inertia": ["I1", "I1", "I3"], "equilibrium": "E1"}
     >>> found = gs.questions.report(top)
-    >>> found["integrals"], found["equilibria"][0]["sufficient"]["any_of"][0]["all_of"][0]["margin"]
+    >>> sufficient = found["equilibria"][0]["sufficient"]
+    >>> found["integrals"], sufficient["any_of"][0]["all_of"][0]["margin"]
     (['pi3'], '-4*I1*m0 + pi3_0**2')
     """
     asked, label, numbers = _question(scene)
@@ -70,8 +71,10 @@ def conditions(scene: Scene, *, solve_for: str | None = None, windows: bool = Fa
     --------
     >>> import gyrostat as gs
     >>> top = {"potential": "m0*k3", "inertia": ["I1", "I1", "I3"], "equilibrium": "E1"}
-    >>> found = gs.questions.conditions(top | {"values": {"I1": 1, "m0": 1}}, solve_for="pi3_0")
-    >>> [(i["low"], i["high"]) for i in found["equilibria"][0]["parts"][0]["cases"][0]["intervals"]]
+    >>> top = top | {"values": {"I1": 1, "m0": 1}}
+    >>> found = gs.questions.conditions(top, solve_for="pi3_0")
+    >>> part = found["equilibria"][0]["parts"][0]
+    >>> [(i["low"], i["high"]) for i in part["cases"][0]["intervals"]]
     [('-oo', '-2'), ('2', 'oo')]
     """
     asked, label, numbers = _question(scene, solve_for or "")
@@ -100,7 +103,8 @@ def decide(scene: Scene) -> dict[str, Any]:
     --------
     >>> import gyrostat as gs
     >>> values = {"I1": 1, "I3": "8/5", "l": 0, "m0": 1, "omega": 2}
-    >>> top = {"potential": "m0*k3", "inertia": ["I1", "I1", "I3"], "gyrostatic_momentum": [0, 0, "l"]}
+    >>> top = {"potential": "m0*k3", "inertia": ["I1", "I1", "I3"],
+    ...        "gyrostatic_momentum": [0, 0, "l"]}
     >>> found = gs.questions.decide(top | {"values": values})
     >>> [(e["label"], e["decision"]["verdict"]) for e in found["equilibria"]]
     [('E1', 'STABLE'), ('E3', 'STABLE'), ('E2', 'STABLE')]

@@ -216,7 +216,7 @@ class Decision(Judged, Shown, Stored):
         if self.verdict is Verdict.UNDECIDED or self.rung.by_condition:
             return self.verdict.value
         conditions = "condition does" if self.notion == Notion.SECULAR else "two conditions do"
-        return f"it is proved where the {conditions} not decide"
+        return f"the {conditions} not decide, a theorem does"
 
 
 def with_margins(found: Decision, margins: Mapping[Expr, Expr], note: str,

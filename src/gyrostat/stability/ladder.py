@@ -133,8 +133,8 @@ def _window(s: Standing) -> Decision:
     """Return what normal forms decide if gyroscopic forces stabilise a maximum of the amended potential."""
     motion = loaded(f"{NORMAL_FORMS}.local_motion:local_motion")(s.eq, s.numbers, DEGREE)
     if isinstance(motion, list):
-        return s.after_integrals(undecided("the amended potential has a maximum, held by gyroscopic forces; "
-                                           f"give {', '.join(motion)} to decide"))
+        return s.after_integrals(undecided("the amended potential has a maximum, and gyroscopic forces "
+                                           f"stabilise it; give {', '.join(motion)} to decide"))
     return s.after_integrals(loaded(f"{NORMAL_FORMS}.windows:decide_window")(motion))
 
 

@@ -47,7 +47,7 @@ class Motion:
         self.scene, self.state, self._route, self._digits = scene, state, route, digits
 
     def __call__(self, t: Any) -> Array:
-        """The states at the times t [T], shape (..., n)."""
+        """Return the states at the times t [T], shape (..., n)."""
         if self._digits is None:
             return states_in_doubles(self._route, self._start, t)
         return states_in_digits(self._route, self.state, t, self._digits)

@@ -17,7 +17,7 @@ class Route(Protocol):
 
     @property
     def name(self) -> str:
-        """What kind of motion it is, or how it is computed."""
+        """The name of the kind of motion, or of how it is computed."""
 
     @property
     def recognised(self) -> str:

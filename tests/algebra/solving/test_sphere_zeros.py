@@ -27,6 +27,15 @@ def test_zeros_that_count_twice_and_zeros_left_out():
     assert points([k1 - 2, k3 - 1, k2 - 1]) == set()
 
 
+def test_a_basis_that_one_does_not_reach_is_none():
+    """Monomials that lead nothing up to a degree may depend on each other: a higher degree is taken."""
+    sides = (-sqrt(2) / 2, sqrt(2) / 2)
+    given = [k1**2 * (k1 + 2 * k2), 2 * k2**2 - 1, k1 * k2]
+    assert points(given) == {(0, y, z) for y in sides for z in sides}
+    given = [k2 * k3, k1**2 * (2 * k2 - k1) + 2 * k1 * k3, k2 * (2 * k2 - k1**2) - 2]
+    assert points(given) == {(0, 1, 0), (0, -1, 0)}
+
+
 UP, DOWN = {(0, 0, 1)}, {(0, 0, -1)}
 ACROSS = {(1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0)}
 

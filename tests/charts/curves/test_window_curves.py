@@ -13,7 +13,7 @@ from gyrostat.errors import ScopeError
 from gyrostat.stability.decision import Rung
 
 TWISTS = RUNGS[Rung.TWIST_POSITIVE], RUNGS[Rung.TWIST_NEGATIVE]
-WINDOW = "the amended potential has a maximum, held by gyroscopic forces"
+WINDOW = "the amended potential has a maximum, and gyroscopic forces stabilise it"
 
 
 def upright():

@@ -18,7 +18,7 @@ def test_conditions_and_fragments(capsys):
     assert out.startswith("% needs amsmath and array\n" + r"\begin{table}[htbp]")
     assert "E3" in out
     assert r"$-c_{3} \propto U'(1) + U''(1)$" in out
-    assert "of an odd power at E3 both are unstable." in out and out.endswith("are its derivatives.\\par\n")
+    assert "if $n$ is odd, the equilibrium is\nunstable" in out and "are its derivatives.\\par\n" in out
     _, out, _ = run(capsys, "--equilibrium", "E1", "--format", "latex", "--fragment")
     assert r"\documentclass" not in out and r"\begin{equation}" in out
     for verb in ("report", "conditions"):
@@ -71,7 +71,8 @@ def test_conditions_at_numbers(capsys):
     assert "Necessary: never." in out and "Sufficient: no information" in out
     _, out, _ = run(capsys, "--potential", "m0*k3 + m1*k3**2", "--set", "k3=1/2", "--equilibrium", "E3",
                     verb="conditions")
-    assert out.splitlines()[2] == "    ω ≠ 0" and "g = 2 I₁ (1 − k₃²)" in out and "−c₃ ∝ −m₀ − 2 m₁" in out
+    assert "  It exists if:\n    ω ≠ 0\n" in out and "    l = (" in out
+    assert "g = 2 I₁ (1 − k₃²)" in out and "−c₃ ∝ −m₀ − 2 m₁" in out
     for arguments, why in ((["--set", "k3=2", "--equilibrium", "E3", "--potential", "m0*k3"],
                             "exists only where 1 - k3**2 > 0"),
                            (["--set", "dU=1"], "derivative of U"), (["--set", "mass=1"], "no parameter mass"),

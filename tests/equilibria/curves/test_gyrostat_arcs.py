@@ -220,7 +220,7 @@ def test_a_circle_of_one_rate_is_named():
         for side in (-1, 1):
             beside = np.array(arc.near(2 + side * Fraction(1, 10**8))[0])
             assert np.abs(np.array(circle.directions[0], float) - beside).max() < 1e-6
-        assert "Where ω = 2 every direction of the circle about axis 2, through k = (" in " ".join(
+        assert "At ω = 2 every direction of the circle about axis 2, through k = (" in " ".join(
             str(arc).split())
     assert not any(arc.circles for arc in arcs_of(*SPECIAL["no circle at that rate"]))
 
@@ -228,8 +228,8 @@ def test_a_circle_of_one_rate_is_named():
 def test_as_text():
     arc = next(arc for arc in arcs_of(*SPECIAL["on one axis"]) if arc.curve.unknown == k2)
     said = " ".join(str(arc).split())
-    assert said.startswith("Arc from k = (0, −1, 0), where ω → −∞, to k = (0, 0, 1), where ω = −5/4 − √105/4 "
-                           "and rotations meet, along it |k| = 1: k₁ = 0 k₃ = ")
+    assert said.startswith("This arc leads from k = (0, −1, 0), where ω → −∞, to k = (0, 0, 1), where ω = "
+                           "−5/4 − √105/4 ≈ −3.812 and two rotations meet. Its parameter is the rate ω. ")
     assert r"\omega\to-\infty" in gs.to_latex(arc)
 
 

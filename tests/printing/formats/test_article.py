@@ -85,7 +85,7 @@ def test_a_paper_has_its_own_symbols(e1, e3):
     assert not re.search(r"I_1|I_3|k_3|\\pi_3(?!\^0)|(?<![A-Za-z{])U(?!p|nder)|\bx\b", tex)
     for part in ("V'(1)", r"V''(\gamma)", r"\dot{M}_3 = 0", r"\dot{\gamma} =",
                  r"$A^{2} \dot{\gamma}^{2}$ = $g$", r"$A$ $>$ 0 & principal",
-                 r"gyrostatic momentum $l$ = ($0$, $0$, $\sigma$), $\mathbf{G} = I \Omega + l$",
+                 r"gyrostatic momentum $l$ = ($0$, $0$, $\sigma$)", r"is $\mathbf{G} = I \Omega + l$",
                  r"$A$ = $C$, $\sigma$ = 0, $\omega \neq 0$", r"\partial\rho/\partial \gamma", r"c_3 \xi^3"):
         assert part in tex, part
     with pytest.raises(gs.errors.ValuesError, match=r"l and sigma would both be \\sigma: give one of them"):

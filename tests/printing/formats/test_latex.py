@@ -111,4 +111,4 @@ def test_a_given_field_is_inserted_throughout(potential):
             assert "U'" not in to_latex(part) and "U′" not in unicode(part)
         lines = text(report_blocks(report)).splitlines()
         said = [line for line in lines if re.search("U[′″]|dU|d2U", line)]
-        assert said and all(re.match(r"  Of this potential: U′|    U′\(k₃\) = ", line) for line in said)
+        assert said and all(re.match(r"  For this potential U′|    U′\(k₃\) = ", line) for line in said)

@@ -38,14 +38,14 @@ def test_rumiantsev_solved_reads_as_three_cases():
 @pytest.mark.parametrize(("intervals", "shown"), [
     ((), "no l"), ((Interval(-oo, oo),), "every l"), ((Interval(m0, m0, INCLUDED, INCLUDED),), "l = m₀"),
     ((Interval(m0, 2 * m0, INCLUDED, EXCLUDED),), "m₀ ≤ l < 2 m₀"), ((Interval(m0, oo, EXCLUDED),), "l > m₀"),
-    ((Interval(m0, oo, (k3,)),), "l > m₀; l = m₀ too where k₃ > 0"),
-    ((Interval(m0, oo, (k3, l)),), "l > m₀; l = m₀ too where k₃ > 0, or k₃ = 0 and l > 0"),
-    ((Interval(m0, oo, (k3, m0 / m0)),), "l > m₀; l = m₀ too where k₃ > 0, or k₃ = 0"),
+    ((Interval(m0, oo, (k3,)),), "l > m₀; l = m₀ too if k₃ > 0"),
+    ((Interval(m0, oo, (k3, l)),), "l > m₀; l = m₀ too if k₃ > 0, or k₃ = 0 and l > 0"),
+    ((Interval(m0, oo, (k3, m0 / m0)),), "l > m₀; l = m₀ too if k₃ > 0, or k₃ = 0"),
     ((Interval(m0, oo, (-k3**2,)),), "l > m₀"),
-    ((Interval(m0, oo, (-k3**2, l)),), "l > m₀; l = m₀ too where k₃ = 0 and l > 0"),
+    ((Interval(m0, oo, (-k3**2, l)),), "l > m₀; l = m₀ too if k₃ = 0 and l > 0"),
     ((Interval(-oo, m0, EXCLUDED, (k3,)), Interval(2 * m0, oo, (k3,))),
-     "l < m₀ or l > 2 m₀; the ends too where k₃ > 0"),
-    ((Interval(-oo, m0, EXCLUDED, (k3,)), Interval(m0, oo, (k3,))), "l ≠ m₀; l = m₀ too where k₃ > 0"),
+     "l < m₀ or l > 2 m₀; the ends too if k₃ > 0"),
+    ((Interval(-oo, m0, EXCLUDED, (k3,)), Interval(m0, oo, (k3,))), "l ≠ m₀; l = m₀ too if k₃ > 0"),
     ((Interval(m0, 2 * m0, INCLUDED, EXCLUDED, (Rational(1, 2), Rational(1))),),
      "m₀ ≤ l < 2 m₀ (k₃ from 1/2 to 1)")])
 def test_sets_in_words(intervals, shown):
@@ -58,7 +58,7 @@ def test_where_something_is_left_open_it_is_said():
     """Between what is proved stable and what is proved unstable; not where the two are one."""
     proved, needed, stable = (SolvedCondition(meaning, l, (Case((), (Interval(m0, oo, EXCLUDED),)),), k3)
                               for meaning in ("sufficient", "necessary", "stable"))
-    open_ = "Elsewhere these conditions do not decide; a verdict at numbers may."
+    open_ = "Elsewhere these conditions do not decide; a verdict at given numbers may."
     assert str(Solution("l", (proved, needed))).splitlines()[-1] == open_
     assert open_ not in str(Solution("l", (stable,)))
 
@@ -118,7 +118,7 @@ def test_what_is_long_under_a_root_has_a_name():
 
 @pytest.mark.parametrize("spin, said", [
     ("1.5", "stable; a sufficient condition for stability is proved to hold"),
-    ("1.25", "stable; it is proved where the two conditions do not decide"),
+    ("1.25", "stable; the two conditions do not decide, a theorem does"),
     ("1.2", "unstable; a necessary condition for stability is proved to fail")])
 def test_a_verdict_says_whether_a_condition_proves_it(spin, said):
     """Not on the boundary, where the sufficient one fails and the necessary one holds."""

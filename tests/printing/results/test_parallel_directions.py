@@ -13,9 +13,9 @@ def test_it_says_of_which_motions_it_speaks(turning):
     report = gs.analyze(rising)
     for shown in (str(report), gs.to_latex(report)):
         said = " ".join(shown.split())
-        assert "The directions are parallel there" in said and "against all motions" in said
+        assert "The two directions are parallel" in said and "are for all motions" in said
     assert ("no information" in str(report)) == bool(turning)
     assert "x = λ²" not in str(report) and "λ⁴ + p λ² + q" in str(report)
     assert "γ × ∂h/∂γ" in str(VEHICLE) and r"\gamma\times\partial h/\partial \gamma" in gs.to_latex(report)
     level = gs.analyze(gs.steady_motion(VEHICLE, (0, 1, 0), (0, 0, 1)))
-    assert "parallel there" not in str(level) and "x = λ²" in str(level)
+    assert "are parallel" not in str(level) and "x = λ²" in str(level)

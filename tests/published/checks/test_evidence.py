@@ -7,7 +7,7 @@ import pytest
 from published.read_again import is_shown
 
 from gyrostat.published import check
-from gyrostat.published.errata import latex
+from gyrostat.published.latex import latex
 from gyrostat.published.listing import text, to_json
 
 REVOLUTION = 'inertia = ["I1", "I1", "I3"]\ngyrostatic_momentum = ["0", "0", "l"]\n'

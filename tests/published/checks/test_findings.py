@@ -15,7 +15,7 @@ from sympy import Expr
 import gyrostat
 from gyrostat.published import SOURCES, check, load
 from gyrostat.published.checks.findings import _finding, outcome_of
-from gyrostat.published.errata import latex
+from gyrostat.published.latex import latex
 
 HERE, PAGES = Path(gyrostat.__file__).parent / "published", Path(__file__).parents[3]
 

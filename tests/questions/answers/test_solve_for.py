@@ -42,7 +42,7 @@ def test_solve_for_with_numbers(capsys):
     """
     _, out, _ = conditions(capsys, "--potential", "m0*k3", "--equilibrium", "E1", "--solve-for", "m0",
                            "--set", "I1=1", "--set", "l=0")
-    assert "Stable: m₀ < (π₃⁰)²/4; m₀ = (π₃⁰)²/4 too where (π₃⁰)² > 0." in out
+    assert "Stable: m₀ < (π₃⁰)²/4; m₀ = (π₃⁰)²/4 too if (π₃⁰)² > 0." in out
     _, out, _ = conditions(capsys, "--potential", "m0*k3", "--equilibrium", "E1", "--solve-for", "omega3_0",
                            "--set", "I1=1",
                            "--set", "I3=1.6", "--set", "l=0", "--set", "m0=1")

@@ -78,7 +78,7 @@ def test_known_p_and_q(families, numbers, p, q):
     found = {str(margin): value for margin, value in decision.margins}
     assert (found["p"], found["q"]) == (Rational(p), Rational(q))
     assert found["s"] > 0 > found["t"] and by_criteria(decision) == "UNDECIDED"
-    assert "held by gyroscopic forces; D4 = " in decision.reason and decision.verdict.name == "STABLE"
+    assert "gyroscopic forces stabilise it; D4 = " in decision.reason and decision.verdict.name == "STABLE"
 
 
 def test_a_rotation_of_staude(families):

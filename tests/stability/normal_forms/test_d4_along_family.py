@@ -128,7 +128,7 @@ def test_the_command_line_prints_it_where_a_name_is_open(capsys):
     top = ("--inertia", "5,4,3", "--potential", "m0*k3", "--gyrostatic-momentum", "0,0,0",
            "--equilibrium", "E1", "--set", "m0=1", "--normal-form", "4")
     _, said, _ = run(capsys, *top, verb="decide")
-    assert "26 (π₃⁰)⁴ − 771 (π₃⁰)² − 396 ≠ 0" in said and "and D₄ ≠ 0, positive there:" in said
+    assert "26 (π₃⁰)⁴ − 771 (π₃⁰)² − 396 ≠ 0" in said and "and if D₄ ≠ 0, which is positive there:" in said
     assert "/(960 ((π₃⁰)² + 9) (2 (π₃⁰)² + 9) (12 (π₃⁰)⁴ − 212 (π₃⁰)² + 3))" in said
     _, said, _ = run(capsys, *top, "--format", "json", verb="decide")
     data = json.loads(said)

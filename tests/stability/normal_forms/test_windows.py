@@ -105,5 +105,5 @@ def test_what_a_point_says_of_its_window(rung, twists):
     by_twist = twists is not None and rung in (gs.Rung.TWIST_POSITIVE, gs.Rung.TWIST_NEGATIVE)
     assert found.verdict == ("STABLE" if by_twist else "UNDECIDED")
     assert found.rung is (gs.Rung.NOTHING if not by_twist else rung if twists else gs.Rung.TWIST)
-    assert ("but for single points" in found.reason) == (by_twist and not twists)
+    assert ("except at single points" in found.reason) == (by_twist and not twists)
     assert found.note == "unusual" and not found.pointwise

@@ -35,7 +35,7 @@ def points_on_sphere(pencil: Matrix, vector: Matrix, radius: Expr, nu: Symbol) -
 
     References
     ----------
-    Derived.
+    Derived in docs/explanation/derivations/zeros-on-the-sphere.md, section 2.
 
     Examples
     --------

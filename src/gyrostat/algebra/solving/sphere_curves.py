@@ -1,7 +1,8 @@
 """The curves on the sphere k·k = 1 along which polynomials over ℚ vanish, by stereographic projection.
 
 With x = k1/(1 − k3) and y = k2/(1 − k3), the projection from (0, 0, 1), the curves are, where k3 ≠ 1, the
-factors of a greatest common divisor in ℚ[x, y].
+factors of a greatest common divisor in ℚ[x, y]: see docs/explanation/derivations/zeros-on-the-sphere.md,
+section 4.
 """
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass

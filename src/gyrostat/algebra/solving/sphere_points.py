@@ -23,10 +23,10 @@ def finite_zeros(given: Sequence[Terms], left_out: Sequence[Terms], above: Seque
 
     Degree by degree the polynomials times monomials span part of their ideal (Macaulay's matrix). The
     monomials that lead no element of it are a basis of the quotient algebra as soon as the multiplications by
-    k1, k2, k3 commute and the polynomials are 0 in it. Its dimension is the number of complex zeros, each as
-    often as it counts; the rank of its trace form (Hermite) is that of the distinct ones. A form λ in k with
-    as many distinct eigenvalues tells them apart: each is a root of the characteristic polynomial of λ, and k
-    is rational in it.
+    k1, k2, k3 commute, the polynomials are 0 in it, and each of these monomials times 1 is itself. Its
+    dimension is the number of complex zeros, each as often as it counts; the rank of its trace form (Hermite)
+    is that of the distinct ones. A form λ in k with as many distinct eigenvalues tells them apart: each is a
+    root of the characteristic polynomial of λ, and k is rational in it.
 
     Parameters
     ----------
@@ -40,7 +40,8 @@ def finite_zeros(given: Sequence[Terms], left_out: Sequence[Terms], above: Seque
     References
     ----------
     Mourrain, A new criterion for normal form algorithms, AAECC-13 (1999) 430-442; Rouillier, Solving
-    zero-dimensional systems through the rational univariate representation, AAECC 9 (1999) 433-461.
+    zero-dimensional systems through the rational univariate representation, AAECC 9 (1999) 433-461; with
+    proofs in docs/explanation/derivations/zeros-on-the-sphere.md, sections 5 and 6.
     """
     if (algebra := _algebra(given)) is None:
         return None
@@ -59,10 +60,15 @@ class _Algebra:
         self.spanning, self.one, self.axes, self.size = spanning, one, axes, one.nrows()
 
     def holds(self, polynomials: Sequence[Terms]) -> bool:
-        """Tell whether it is an algebra, in which the polynomials are 0."""
+        """Tell whether it is the quotient algebra: the polynomials are 0, and each basis monomial is itself.
+
+        Without the latter the elements of the basis may depend on each other, as 1 does not reach them all.
+        """
         x, y, z = self.axes
+        place = self.monomials(self.one)
         return x * y == y * x and y * z == z * y and z * x == x * z and not any(
-            any(self.times(f, self.one).entries()) for f in [SPHERE, *polynomials])
+            any(self.times(f, self.one).entries()) for f in [SPHERE, *polynomials]) and all(
+            place(e).entries() == [int(b == e) for b in self.spanning] for e in self.spanning)
 
     def times(self, polynomial: Terms, start: fmpq_mat) -> fmpq_mat:
         """Multiply an element, or several, by a polynomial."""

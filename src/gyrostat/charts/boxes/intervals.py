@@ -52,7 +52,7 @@ class Enclosure:
 
     @property
     def apart(self) -> Array:
-        """Where 0 is excluded."""
+        """The boxes on which 0 is excluded, as an array of booleans."""
         return (self.low > 0) | (self.high < 0)
 
     def where(self, known: Array) -> "Enclosure":

@@ -5,8 +5,9 @@ from textwrap import wrap
 from ...charts.progress import Progress
 from ...errors import GyrostatError
 from ...printing.formats.json_data import json_text
-from ...published import SOURCES, Finding, errata, listing
+from ...published import SOURCES, Finding, listing
 from ...published.checks.findings import findings as each
+from ...published.latex import latex
 from ..options.latex_options import paper_of
 from ..output import Output
 
@@ -32,7 +33,7 @@ def run(given: argparse.Namespace, out: Output) -> int:
     if given.format == "json":
         out(json_text({"statements": listing.to_json(findings)}))
     elif given.format == "latex":
-        out(errata.latex(findings, paper_of(given)))
+        out(latex(findings, paper_of(given), given.full))
     else:
         out(listing.text(findings, out.width, given.full))
         out("\n".join(wrap(listing.summary(findings), out.width)) + "\n")

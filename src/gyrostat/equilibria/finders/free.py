@@ -42,7 +42,8 @@ def rotations_on_sphere(scene: System, radius: Expr) -> list[FreeForm]:
 
     References
     ----------
-    Hughes, Spacecraft Attitude Dynamics (1986), chapter 6; where rotations meet, derived.
+    Hughes, Spacecraft Attitude Dynamics (1986), chapter 6; docs/explanation/derivations/conditions.md,
+    section 8; where rotations meet, docs/explanation/derivations/boundaries.md, section 6.
 
     Examples
     --------

@@ -61,8 +61,8 @@ class HeavyForm(Form):
     LEAST = settled(True, "the amended potential has a minimum", Rung.SECOND_VARIATION)
     ODD = settled(False, "the amended potential has a saddle: an eigenvalue has a positive real part",
                   Rung.SPECTRUM, Notion.SPECTRAL)
-    LEAVES = settled(False, "the amended potential has a maximum, and the gyroscopic forces do not hold it: "
-                     "an eigenvalue has a positive real part", Rung.SPECTRUM, Notion.SPECTRAL)
+    LEAVES = settled(False, "the amended potential has a maximum, and gyroscopic forces do not stabilise "
+                     "it: an eigenvalue has a positive real part", Rung.SPECTRUM, Notion.SPECTRAL)
     scene: System
     k: tuple[Expr, ...]
     omega: Expr

@@ -43,7 +43,7 @@ class OrbitalForm(Form):
     LEAST = settled(True, "the energy has a minimum: K is positive definite", Rung.SECOND_VARIATION)
     ODD = settled(False, "K has an odd number of negative squares: an eigenvalue has a positive real part",
                   Rung.SPECTRUM, Notion.SPECTRAL)
-    LEAVES = settled(False, "K has two negative squares, and the gyroscopic forces do not hold it: an "
+    LEAVES = settled(False, "K has two negative squares, and gyroscopic forces do not stabilise it: an "
                      "eigenvalue has a positive real part", Rung.SPECTRUM, Notion.SPECTRAL)
     label = "equilibrium in orbit"
     scene: System

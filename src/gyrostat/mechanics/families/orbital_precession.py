@@ -119,7 +119,7 @@ def moving_axis(eq: Equilibrium, at: Callable[[Expr], Expr]) -> Equilibrium | No
 
     References
     ----------
-    Derived: Routh's reduction by the turn about the axis.
+    Derived in docs/explanation/derivations/satellite.md, section 8, by Routh's reduction.
     """
     scene = eq.system
     if not by_gradient_alone(scene) or len(scene.linear_integrals) != 1:

@@ -178,7 +178,8 @@ def to_latex(obj: Any, symbols: Mapping[Any, str] | None = None, label: str = "g
     >>> report = gs.analyze(gs.upright(top))
     >>> print(gs.to_latex(report.sufficient))
     \left(\pi_3^0 + l\right)^{2} > 4 I_1 U'(1)
-    >>> print(gs.to_latex(report.sufficient, symbols={"I1": "A", "l": r"\sigma", "U": "V"}))
+    >>> symbols = {"I1": "A", "l": r"\sigma", "U": "V"}
+    >>> print(gs.to_latex(report.sufficient, symbols=symbols))
     \left(\pi_3^0 + \sigma\right)^{2} > 4 A V'(1)
     """
     paper = Paper({str(name): symbol for name, symbol in (symbols or {}).items()}, label)

@@ -57,7 +57,7 @@ def _solution(solution: Solution) -> list[Block]:
                 and symbol(solution.name) not in p.margin.free_symbols]
     blocks: list[Block] = []
     if premises:
-        blocks += [sentence("Where it exists:"), *(existence(p.margin, p.at) for p in premises)]
+        blocks += [sentence("It exists if:"), *(existence(p.margin, p.at) for p in premises)]
     for meaning, title in _TITLES.items():
         parts = [p for p in solution.parts if p.meaning == meaning and p not in premises]
         if len(parts) == 1:
@@ -65,11 +65,11 @@ def _solution(solution: Solution) -> list[Block]:
             continue
         if parts:
             blocks.append(sentence(f"{title} all of these hold:" if meaning == "necessary"
-                                   else f"{title} where all of these hold:"))
+                                   else f"{title} if all of these hold:"))
         for n, part in enumerate(parts, 1):
             blocks += _part(part, solution.name, f"({n})")
     if any(p.meaning == "sufficient" for p in solution.parts):
-        blocks.append(sentence("Elsewhere these conditions do not decide; a verdict at numbers may."))
+        blocks.append(sentence("Elsewhere these conditions do not decide; a verdict at given numbers may."))
     return blocks
 
 
@@ -138,10 +138,10 @@ def _set(intervals: tuple[Interval, ...], x: Expr) -> tuple[Any, ...]:
 
 
 def _too(ends: tuple[Any, ...], rungs: Ladder) -> tuple[Any, ...]:
-    """Where ends belong to the set, if there is anything to say."""
+    """When ends belong to the set, if there is anything to say."""
     if rungs == INCLUDED or all((-rung).is_nonnegative for rung in rungs):
         return ()
-    return ("; ", *ends, " too where ", *_included(rungs))
+    return ("; ", *ends, " too if ", *_included(rungs))
 
 
 def _interval(i: Interval, x: Expr, lowest: Expr) -> tuple[Any, ...]:

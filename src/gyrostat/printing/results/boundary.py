@@ -17,7 +17,7 @@ from ..letters import letters_of, word
 
 # rungs shown of a ladder without an end, of one with an end
 FEW, SEVERAL = 3, 6
-_BETWEEN = "where the necessary condition holds and the sufficient one does not, "
+_BETWEEN = "if the necessary condition holds and the sufficient one does not, "
 
 
 def boundary_blocks(report: Report) -> list[Block]:
@@ -30,12 +30,12 @@ def boundary_blocks(report: Report) -> list[Block]:
     boundary, eq = report.boundary, report.equilibrium
     if boundary is None and report.between:
         return [sentence(_BETWEEN.capitalize(),
-                         "the energy on the momentum sphere decides to fourth order, at numbers.")]
+                         "the energy on the momentum sphere decides to fourth order, at given numbers.")]
     if boundary is None:
-        return [sentence(_BETWEEN.capitalize(), "they claim nothing; a verdict at numbers may.")]
+        return [sentence(_BETWEEN.capitalize(), "neither decides; a verdict at given numbers may.")]
     between = _BETWEEN.capitalize()
     if report.recognised:
-        between = f"The scene is {report.recognised.sentence}; with that axis for the third: {_BETWEEN}"
+        between = f"The scene is {report.recognised.sentence}; with that axis as the third, {_BETWEEN}"
         eq = boundary.equilibrium
     letters = letters_of(eq.system)
     g, distance = letters.of("g"), symbol(letters.of("x"))
@@ -43,18 +43,20 @@ def boundary_blocks(report: Report) -> list[Block]:
               P: eq.system.space.coordinates[2] + eq.system.body.gyrostatic_momentum[2]}
     levels |= {name: value for name, value in eq.relations if not value.free_symbols and name != K3}
     blocks: list[Block] = [
-        sentence(between, "the motion of ", K3, " by itself decides, on the level of the equilibrium: ",
+        sentence(between, "the reduced motion of ", K3, " decides, which on the level of the equilibrium is ",
                  squared_rate(eq.system), " = ", symbol(g), " with"),
         Display(symbol(g), reduce(eq.system).square().xreplace(levels), label="reduced")]
     series = _series(letters, boundary)
-    place: tuple[Any, ...] = (distance, " the deviation of ", K3)
+    place: tuple[Any, ...] = (distance, " is the deviation of ", K3, " and has either sign")
     if boundary.pole:
         place = (K3, " = ", eq.at * (1 - distance), ", ", word(letters, "⟨x⟩ ≥ 0", r"⟨x⟩ \geq 0"))
     rungs, more = ladder(boundary)
     if not rungs:
-        return [*blocks, sentence("There ", series, ", with ", *place, "; all coefficients are 0: unstable.")]
-    first = "; the first coefficient that is not 0 decides. Up to positive factors:"
-    return [*blocks, sentence("There ", series, ", with ", *place, first),
+        return [*blocks, sentence("At equality ", series, ", where ", *place,
+                                  ". All coefficients are 0, and the equilibrium is unstable.")]
+    cn = word(letters, "⟨c_⟩ₙ", "⟨c_⟩_n")
+    return [*blocks, sentence("At equality ", series, ", where ", *place, ". The first coefficient ", cn,
+                              " that is not 0 decides. Up to positive factors:"),
             *(rung_display(rung, letters) for rung in rungs),
             sentence(*_outcome(boundary, rungs, more, report.sufficient.modulo))]
 
@@ -106,25 +108,26 @@ def _outcome(boundary: Boundary, rungs: list[Rung], more: bool, modulo: tuple[Ex
     """What each sign means, and what comes after the rungs shown."""
     parts: list[Any] = []
     odd, even = any(r.escapes for r in rungs), any(not r.escapes for r in rungs)
+    positive, negative = (word(letters_of(boundary.equilibrium.system), f"−⟨c_⟩ₙ {sign} 0",
+                               f"-⟨c_⟩_n {sign} 0") for sign in "><")
     if boundary.pole:
-        parts.append("Positive: Lyapunov stable (supercritical); negative: unstable (subcritical)")
-    elif odd:
-        parts.append("Of an odd power, not 0: unstable")
+        parts += ["If ", positive, ", the equilibrium is Lyapunov stable (supercritical); if ", negative,
+                  ", it is unstable (subcritical)."]
+    if odd and not boundary.pole:
+        parts.append("If n is odd, the equilibrium is unstable." + (" " if even else ""))
     if even and not boundary.pole:
         flow = (" ", *modulo_flow(modulo)) if modulo else ()
-        start = "; of" if odd else "of"
-        parts += [f"{start} an even power, positive: Lyapunov stable", *flow, "; negative: unstable"]
+        parts += [f"If n is even, {'it' if odd else 'the equilibrium'} is Lyapunov stable", *flow, " if ",
+                  positive, " and unstable if ", negative, "."]
     end = boundary.last or HIGHEST
-    further = more and (boundary.last is None or end > 2 + SEVERAL)
-    parts.append("; 0: the next coefficient." if further or len(rungs) > 1 else ".")
-    if further:
+    if more and (boundary.last is None or end > 2 + SEVERAL):
         potential = boundary.equilibrium.system.potential
         if potential is not None and potential.given:
-            power = word(letters_of(boundary.equilibrium.system), f"⟨x⟩{str(end).translate(SUPERSCRIPTS)}",
-                         f"⟨x⟩^{{{end}}}")
-            parts += [" And so on, up to ", power, "."]
+            power_of_x = word(letters_of(boundary.equilibrium.system),
+                              f"⟨x⟩{str(end).translate(SUPERSCRIPTS)}", f"⟨x⟩^{{{end}}}")
+            parts += [" The ladder goes on up to ", power_of_x, "."]
         else:
-            parts.append(" And so on, to any order.")
+            parts.append(" The ladder goes on to any order.")
     if more and boundary.last:
-        parts += [" If all vanish, every ", K3, " nearby is a motion: unstable."]
+        parts += [" If all are 0, ", K3, " may stay at each value nearby, and the equilibrium is unstable."]
     return parts

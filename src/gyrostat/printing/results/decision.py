@@ -81,7 +81,7 @@ def damped_block(decision: Decision, damped: Decision | None) -> Sentence:
     """What internal damping makes of a verdict; None: of what is no equilibrium under it."""
     said = _IN_WORDS[decision.verdict]
     if damped is None:
-        return sentence(f"{said}, and no equilibrium under internal damping: ω turns in the body.")
+        return sentence(f"{said}; with internal damping it is no equilibrium, because ω turns in the body.")
     if damped.verdict is Verdict.UNDECIDED:
         return sentence(f"{said}; undecided under internal damping: {damped.reason}.")
     if (decision.verdict, damped.verdict) == (Verdict.UNSTABLE, Verdict.STABLE):

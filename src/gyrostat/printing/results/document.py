@@ -11,18 +11,24 @@ from ...mechanics.equilibrium.equilibrium import Equilibrium
 from ...mechanics.equilibrium.relations import affine
 from ...mechanics.families.named_families import FAMILIES
 from ...mechanics.scenes.system import System
-from ...notation import jet, symbol
+from ...notation import symbol
 from ...stability.criteria.linearization import Linearization
 from ...stability.criteria.orientation_form import rests_in_frame
 from ...stability.report.report import Report
-from ...typesetting import typeset
 from ..blocks import Block, Display, Heading, Word, equations, joined, listed, sentence
 from ..glossary import term_blocks
 from ..letters import letter, letters_of, word
 from ..nomenclature import occurring, symbol_rows
 from .boundary import boundary_blocks
 from .inequalities import criterion_blocks, existence, implied_blocks, integral_blocks, polynomial_of
-from .rotations import definition_blocks, family_blocks
+from .rotations import (
+    definition_blocks,
+    family_blocks,
+    relation_blocks,
+    slope,
+    tilt_blocks,
+    title_of,
+)
 from .scene import scene_blocks
 from .two_directions import casimirs, frame_blocks, parallel_blocks
 
@@ -41,7 +47,9 @@ def conditions_blocks(report: Report) -> list[Block]:
     """The conditions of one equilibrium, without the way to them."""
     eq = report.equilibrium
     exists = [existence(d, eq.at) for d in eq.existence() if d.free_symbols]
-    return [Heading(eq.label), *family_blocks(eq), *exists,
+    if exists:
+        exists = [sentence("It exists if:"), *exists]
+    return [Heading(title_of(eq)), *tilt_blocks(eq), *family_blocks(eq), *exists,
             *criterion_blocks("Necessary", report.necessary, eq.at, "necessary"),
             *criterion_blocks("Sufficient", report.sufficient, eq.at, "sufficient"),
             *integral_blocks(report),
@@ -53,21 +61,21 @@ def conditions_blocks(report: Report) -> list[Block]:
 def report_blocks(report: Report) -> list[Block]:
     """One equilibrium: point, linearisation, polynomial, second variation, criteria."""
     eq = report.equilibrium
-    family = FAMILIES.get(eq.label)
-    title = eq.label[0].upper() + eq.label[1:]
-    title += f": {family.title}" if family and family.title else ""
-    blocks: list[Block] = [Heading(title, label=eq.label), *point_blocks(eq), *parallel_blocks(report)]
+    blocks: list[Block] = [Heading(title_of(eq), label=eq.label), *point_blocks(eq),
+                           *parallel_blocks(report)]
     if report.closed is not None:
         blocks += [Heading("Second variation and characteristic polynomial", 2), *definition_blocks(report)]
     elif rests_in_frame(eq):
         blocks += [*frame_blocks(report), *(_second_variation(report) if eq.system.linear_integrals else ())]
     else:
         blocks += [*_linearization(report), *_second_variation(report)]
-    modulo = "; modulo the flow of an integral, Ortega & Ratiu 1999." if report.sufficient.modulo else "."
+    modulo = ""
+    if report.sufficient.modulo:
+        modulo = " Modulo the flow of an integral this is the theorem of Ortega & Ratiu 1999."
     blocks += [Heading("Conditions", 2), sentence(
-        "Necessary: where a spectral condition fails, an eigenvalue has a positive real part, and the "
-        "equilibrium is unstable (Lyapunov 1892). Sufficient: where the second variation is definite, the "
-        f"equilibrium is Lyapunov stable (Holm, Marsden, Ratiu & Weinstein 1985){modulo}")]
+        "Necessary: if a spectral condition fails, an eigenvalue has a positive real part, and the "
+        "equilibrium is unstable (Lyapunov 1892). Sufficient: if the second variation is definite, the "
+        f"equilibrium is Lyapunov stable (Holm, Marsden, Ratiu & Weinstein 1985).{modulo}")]
     blocks += [*criterion_blocks("Necessary (spectral)", report.necessary, eq.at, "necessary"),
                *criterion_blocks("Sufficient (formal, hence Lyapunov)", report.sufficient, eq.at,
                                  "sufficient"), *integral_blocks(report)]
@@ -79,10 +87,11 @@ def report_blocks(report: Report) -> list[Block]:
         blocks += loaded("printing.results.drift:drift_blocks")(report)
     blocks += criterion_blocks("Under internal damping (secular)", report.damped, eq.at, "damped")
     return [*blocks, sentence(
-        "That damping takes energy and keeps the Casimirs: fuel that sloshes, a nutation damper; not "
-        "friction at a support. There the equilibrium is stable and stays so, elsewhere it is unstable but "
-        "for equality and where the damping does not reach every motion (Bloch, Krishnaprasad, Marsden & "
-        "Ratiu 1994)."), *implied_blocks(report)]
+        "Internal damping takes energy and keeps the Casimirs, as sloshing fuel or a nutation damper does; "
+        "friction at a support is not of this kind. If the condition holds, the equilibrium is stable with "
+        "damping and without. If it fails, the equilibrium is unstable with damping, except perhaps at "
+        "equality, or if the damping does not reach every motion (Bloch, Krishnaprasad, Marsden & Ratiu "
+        "1994)."), *implied_blocks(report)]
 
 
 def point_blocks(eq: Equilibrium) -> list[Block]:
@@ -99,19 +108,16 @@ def point_blocks(eq: Equilibrium) -> list[Block]:
     if potential and potential.given and potential.axial:
         jets = (symbol("dU"), symbol("d2U")) if eq.domain else (symbol("dU"),)
         values = [readable(potential.value(d).subs(symbol("k3"), eq.at)) for d in jets]
-        names = [_slope(eq, d) for d in jets]
-        blocks.append(sentence("Of this potential: ", *equations(zip(names, values)), ".", at=eq.at))
-    if eq.relations:
-        blocks.append(sentence("On the family:"))
-        blocks += [Display(_slope(eq, name), value if jet(name.name) else readable(value), eq.at,
-                           label="relation") for name, value in eq.relations]
+        names = [slope(eq, d) for d in jets]
+        blocks.append(sentence("For this potential ", *equations(zip(names, values)), ".", at=eq.at))
+    blocks += tilt_blocks(eq) or relation_blocks(eq)
     blocks += family_blocks(eq)
     if open_ones := [d for d in eq.existence() if d.free_symbols]:
-        blocks.append(sentence("It exists where:"))
+        blocks.append(sentence("It exists if:"))
         blocks += [replace(existence(d, eq.at), label="exists") for d in open_ones]
     if (tilt := solved_tilt(eq)) is not None:
-        blocks += [sentence("Solved for the tilt:"), Display(symbol("k3"), readable(tilt)),
-                   sentence("which exists where:"), existence(1 - tilt**2, eq.at)]
+        blocks += [sentence("Solved for the tilt this is:"), Display(symbol("k3"), readable(tilt)),
+                   sentence("The tilt exists if:"), existence(1 - tilt**2, eq.at)]
     return blocks
 
 
@@ -127,16 +133,6 @@ def solved_tilt(eq: Equilibrium) -> Expr | None:
     return solved and solved[0]
 
 
-def _slope(eq: Equilibrium, name: Symbol) -> Any:
-    """A derivative of U as it is named: where U is a letter of the scene, by another one."""
-    letters = letters_of(eq.system)
-    if not jet(name.name) or letters.of("U") == "U":
-        return name
-    shown = [typeset(name.name, eq.at, style).replace("U", typeset(letters.of("U"), style=style))
-             for style in ("text", "latex")]
-    return Word(*shown)
-
-
 def _named_roots(eq: Equilibrium,
                  matrix: ImmutableMatrix) -> tuple[ImmutableMatrix, list[tuple[Symbol, Expr]]]:
     """Roots among the coordinates of the point are shown under the coordinate's name."""
@@ -150,19 +146,19 @@ def _linearization(report: Report) -> list[Block]:
     matrix, _ = _named_roots(eq, entries(eq.insert_field(linear.matrix)))
     basis, _ = _named_roots(eq, linear.basis.T)
     blocks: list[Block] = [Heading("Linearisation on the tangent space of the coadjoint orbit", 2),
-                           sentence("Basis, one vector in each row:"),
+                           sentence("The basis has one vector in each row:"),
                            Display(letter(letters, "T"), basis, eq.at, label="tangent"),
-                           sentence("The linearised field in that basis (Vera & Viguera 2003, §4.1.1 and "
-                                    "§5):"),
+                           sentence("In this basis the linearised field is (Vera & Viguera 2003, §4.1.1 "
+                                    "and §5):"),
                            Display(letter(letters, "J"), matrix, eq.at, label="linearised")]
     values = tuple(map(eq.insert_field, linear.coefficients))
     if len(values) == 1:
         q = symbol(letters.of("q"))
         polynomial = word(letters, "⟨lamda⟩² + ⟨q⟩", r"⟨lamda⟩^2 + ⟨q⟩")
-        return [*blocks, sentence("Characteristic polynomial ", polynomial, " with"),
+        return [*blocks, sentence("The characteristic polynomial is ", polynomial, " with"),
                 Display(q, readable(values[0]), eq.at, label="q"), *_eigenvalues(linear, eq.at)]
     (p, q), (a, b) = values, (symbol(letters.of("p")), symbol(letters.of("q")))
-    return [*blocks, sentence("Characteristic polynomial ", polynomial_of(letters), " with"),
+    return [*blocks, sentence("The characteristic polynomial is ", polynomial_of(letters), " with"),
             Display(a, readable(p), eq.at, label="p"), Display(b, readable(q), eq.at, label="q"),
             Display(a**2 - 4 * b, readable(p**2 - 4 * q), eq.at, label="discriminant"),
             *_eigenvalues(linear, eq.at)]
@@ -176,15 +172,16 @@ def _eigenvalues(linear: Linearization, at: Any) -> list[Block]:
     imaginary = word(letters, "±⟨i⟩", r"\pm ⟨i⟩")
     outer, inner = (_readable_roots(linear.equilibrium.insert_field(part)) for part in parts)
     if inner == 0:
-        return [sentence("Eigenvalues ", imaginary, " ", outer, ".", at=at)]
+        return [sentence("The eigenvalues are ", imaginary, " ", outer, ".", at=at)]
     potential = linear.equilibrium.system.potential
     # p stands above
     if inner == outer and potential and potential.given and len(str(2 * outer)) > LONG:
         root = word(letters, "√⟨p⟩", r"\sqrt{⟨p⟩}")
-        return [sentence("Eigenvalues 0, 0 and ", imaginary, " ", root, ".", at=at)]
+        return [sentence("The eigenvalues are 0, 0 and ", imaginary, " ", root, ".", at=at)]
     if inner == outer:
-        return [sentence("Eigenvalues 0, 0 and ", imaginary, " ", 2 * outer, ".", at=at)]
-    return [sentence("Eigenvalues ", imaginary, " (", outer, " ", Word("±", r"\pm"), " ", inner, ").", at=at)]
+        return [sentence("The eigenvalues are 0, 0 and ", imaginary, " ", 2 * outer, ".", at=at)]
+    return [sentence("The eigenvalues are ", imaginary, " (", outer, " ", Word("±", r"\pm"), " ", inner, ").",
+                     at=at)]
 
 
 def _readable_roots(expression: Expr) -> Expr:
@@ -204,18 +201,19 @@ def _second_variation(report: Report) -> list[Block]:
     functions: list[Any] = [name for name, _ in zip(casimirs(letters), eq.system.space.casimirs)]
     functions += [function for function, _ in variation.multipliers[len(functions):]]
     values = [split(eq.insert_field(nu)) for _, nu in variation.multipliers]
-    each = [(function, ": ", nu) for function, nu in zip(functions, values)]
-    many, groups = ("", [[one] for one in each]) if eq.system.coupled else ("s", [each])
-    blocks += [sentence(f"Multiplier{many} of ", *joined(", ", group), ".", at=eq.at) for group in groups]
+    each = [(nu, " for ", function) for function, nu in zip(functions, values)]
+    many, groups = ("The multiplier is ", [[one] for one in each]) if eq.system.coupled else (
+        "The multipliers are ", [each])
+    blocks += [sentence(many, *joined(", ", group), ".", at=eq.at) for group in groups]
     if variation.free:
         blocks.append(sentence("The first variation leaves ", variation.free[0], " free."))
     if variation.modulo:
-        blocks.append(sentence(variation.modulo[0], " is held fixed, and its flow, the spin about the axis "
+        blocks.append(sentence(variation.modulo[0], " keeps its value, and its flow, the spin about the axis "
                                "of the body, is divided out."))
     if not matrix.rows:
         return [*blocks, sentence("The slice is a point.")]
     if variation.basis != report.linearization.basis:
-        blocks += [sentence("Basis, one vector in each row:"),
+        blocks += [sentence("The basis has one vector in each row:"),
                    Display(letter(letters, "S"), basis, eq.at, label="slice")]
     blocks.append(Display(letter(letters, "H"), matrix, eq.at, label="second-variation"))
     blocks += [Display(letter(letters, f"Delta{n}"), readable(eq.insert_field(minor)), eq.at,

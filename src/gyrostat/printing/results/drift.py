@@ -12,21 +12,22 @@ def drift_blocks(report: Report) -> list[Block]:
     eq = drift.equilibrium
     letters = letters_of(eq.system)
     if report.recognised:
-        blocks.append(sentence(f"The scene is {report.recognised.sentence}; with that axis for the third:"))
+        axis = "and that axis is the third here."
+        blocks.append(sentence(f"The scene is {report.recognised.sentence}, {axis}"))
     *rates, defect = drift_displays(drift)
     spin = word(letters, "ω ⟨vector_k⟩ + σ ⟨e3⟩", "⟨omega⟩ ⟨vector_k⟩ + ⟨sigma⟩ ⟨e3⟩")
-    blocks += [sentence("The point itself is not Lyapunov stable: near it are relative equilibria ", spin,
-                        " that turn about the axis of the body and leave it, at a rate ",
+    blocks += [sentence("The point itself is not Lyapunov stable: near it there are relative equilibria ",
+                        spin, " that turn about the axis of the body and leave the point, at a rate ",
                         Word("σ", "⟨sigma⟩"),
                         " with" if drift.omega else " that is free."),
                *rates,
-               sentence("Where ", letter(letters, "p"), " and ", letter(letters, "D"), " are not 0, the "
-                        "linearised flow grows besides, by a Jordan block of the eigenvalue 0:"),
+               sentence("If ", letter(letters, "p"), " and ", letter(letters, "D"), " are not 0, the "
+                        "linearised flow grows too, because the eigenvalue 0 has a Jordan block:"),
                defect]
     if drift.omega:
         (I1, _, I3), l = eq.system.body.moments, eq.system.body.gyrostatic_momentum[2]
         rate = Word("ω ≠ 0", r"⟨omega⟩ \neq 0")
-        blocks.append(sentence("The only exception: ", I1, " = ", I3, ", ", l, " = 0, ", rate,
+        blocks.append(sentence("The only exception is ", I1, " = ", I3, ", ", l, " = 0, ", rate,
                                " and a constant ", letter(letters, "U"), "."))
     return blocks
 

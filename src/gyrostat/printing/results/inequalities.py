@@ -22,9 +22,10 @@ def polynomial_of(letters: Letters) -> Word:
 
 
 def existence(domain: Expr, at: Any) -> Display:
-    """Where a family exists: abs(x) < 1 for 1 − x² > 0, x ≠ 0 for x² > 0, else domain > 0."""
-    if isinstance(domain, Pow) and domain.exp == 2:
-        base = readable(domain.base)
+    """If a family exists: abs(x) < 1 for 1 − x² > 0, x ≠ 0 for c x² > 0, otherwise domain > 0."""
+    factor, square = domain.as_coeff_Mul()
+    if factor.is_positive and isinstance(square, Pow) and square.exp == 2:
+        base = readable(square.base)
         return Display(-base if base.could_extract_minus_sign() else base, S.Zero, at, "≠")
     root = readable(square_root(1 - domain))
     if any(x.exp == S.Half for x in root.atoms(Pow)):
@@ -38,7 +39,7 @@ def criterion_blocks(title: str, criterion: Criterion, at: Any, label: str) -> l
         return [sentence(f"{title}: never.")]
     if criterion.alternatives == ():
         form = "positive" if criterion.notion == Notion.SECULAR else "definite"
-        return [sentence(f"{title}: no information, the form is not {form}.")]
+        return [sentence(f"{title}: no information, because the form is not {form}.")]
     modulo = (", ", *modulo_flow(criterion.modulo)) if criterion.modulo else ()
     if () in criterion.alternatives:
         return [sentence(title, *modulo, ": always.")]
@@ -54,10 +55,10 @@ def integral_blocks(report: Report) -> list[Block]:
     if not report.equilibrium.system.given_integrals:
         return []
     if report.sufficient == report.casimirs_only:
-        return [sentence("The integrals that are given take part in verdicts at numbers, not in this "
+        return [sentence("The integrals that are given take part in verdicts at given numbers, not in this "
                          "condition.")]
     return [sentence("There the second variation of h + α F is definite on the orbit for some α, F an "
-                     "integral of the scene; α is eliminated, a verdict at numbers gives it.")]
+                     "integral of the scene; α is eliminated, and a verdict at given numbers gives it.")]
 
 
 def _alternative(alternative: tuple[Condition, ...], at: Any, label: str) -> list[Block]:
@@ -71,7 +72,7 @@ def _alternative(alternative: tuple[Condition, ...], at: Any, label: str) -> lis
             elif c.strict:
                 blocks.append(sentence("and ", factor, " ≠ 0", at=at))
             else:
-                blocks.append(sentence("(also where ", factor, " = 0)", at=at))
+                blocks.append(sentence("or ", factor, " = 0", at=at))
     return blocks
 
 

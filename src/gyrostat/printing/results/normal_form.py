@@ -23,22 +23,23 @@ def form_blocks(form: NormalForm) -> list[Block]:
     energy = Word("h = h₀ + " + " + ".join(t.text for t in terms) + " + …",
                   "⟨h⟩ = ⟨h⟩_{0} + " + " + ".join(t.latex for t in terms) + r" + \dots")
     actions = Word("J₁, J₂ ≥ 0", r"J_{1}, J_{2} \geq 0")
-    blocks: list[Block] = [sentence("On the orbit, with actions ", actions, ": ", energy, ", with:")]
+    blocks: list[Block] = [sentence("On the orbit, in the actions ", actions, ", the energy is ", energy,
+                                    ", with:")]
     blocks += [Display(_named("ω", "⟨omega⟩", str(n)), number(omega))
                for n, omega in enumerate(form.frequencies, 1)]
     blocks += [Display(_coefficient(m, n), number(c)) for m, n, c in form.coefficients]
     where = Word("J₁ = ω₂, J₂ = −ω₁", r"J_{1} = ⟨omega⟩_{2}, J_{2} = -⟨omega⟩_{1}")
     parts = "the part of degree 2 is" if highest == 2 else "the parts of degree 2 and 3 are"
-    blocks.append(sentence("Where ", where, f", {parts}:"))
+    blocks.append(sentence("At ", where, f" {parts}:"))
     blocks += [Display(_named("D", "D", str(2 * n)), number(D)) for n, D in enumerate(form.twists, 2)]
     if form.resonances:
         pairs = " and ".join(f"{m} to {n}" for m, n in form.resonances)
-        blocks.append(sentence(f"The frequencies are in size as {pairs}, a resonance."))
+        blocks.append(sentence(f"The frequencies are in the ratio {pairs}, which is a resonance."))
     return blocks
 
 
 def window_blocks(window: Window) -> list[Block]:
-    """Where gyroscopic forces hold a maximum, resonances, D4 and what has its sign."""
+    """Where an equilibrium is gyroscopically stabilised: resonances, D4 and what has its sign."""
     letters = letters_in([window.p, window.q, window.D4])
     p, q, N, P = (symbol(letters.of(name)) for name in "pqNP")
     D4 = letter(letters, "D4")
@@ -46,16 +47,17 @@ def window_blocks(window: Window) -> list[Block]:
     blocks: list[Block] = [
         sentence("The eigenvalues are the zeros of ", polynomial_of(letters), ", with:"),
         Display(p, readable(window.p), window.at), Display(q, readable(window.q), window.at),
-        sentence("Where ", positive, " and the second variation is of both signs, gyroscopic forces hold the "
-                 "equilibrium. It is stable there (Arnold) if no resonance 1:2 or 1:3 holds:")]
+        sentence("If ", positive, " and the second variation has both signs, the equilibrium is "
+                 "gyroscopically stabilised. Then it is Lyapunov stable (Arnold 1961) if there is no "
+                 "resonance 1:2 or 1:3, that is if")]
     blocks += [Display(readable(margin), S.Zero, window.at, "≠") for _, _, margin in window.resonances]
     if window.margin.is_number:
-        said = "" if window.zeros else f", {'positive' if window.margin > 0 else 'negative'} there"
-        return [*blocks, sentence("and ", D4, f" ≠ 0{said}:"), Display(D4, readable(window.D4), window.at)]
+        said = "" if window.zeros else f", which is {'positive' if window.margin > 0 else 'negative'} there"
+        return [*blocks, sentence("and if ", D4, f" ≠ 0{said}:"), Display(D4, readable(window.D4), window.at)]
     top, bottom = lowest_terms(window.D4 / window.margin).as_numer_denom()
     if top.could_extract_minus_sign():
         top, bottom = -top, -bottom
-    return [*blocks, sentence("and ", D4, " ≠ 0, which has the sign of ", N, " there:"),
+    return [*blocks, sentence("and if ", D4, " ≠ 0, which has the sign of ", N, " there:"),
             Display(D4, Mul(readable(top), N, Pow(P, -1)), window.at),
             Display(N, readable(window.margin), window.at), Display(P, readable(bottom), window.at)]
 

@@ -1,19 +1,67 @@
-"""What is said of a family of permanent rotations: of its names, and of those in which its conditions are."""
-from sympy import S
+"""What is said of a family: how it moves, what a tilt satisfies, and the names of permanent rotations."""
+from typing import Any
 
+from sympy import S, Symbol
+
+from ...algebra.rings.readable import readable
 from ...mechanics.equilibrium.equilibrium import Equilibrium
 from ...mechanics.equilibrium.unit_vectors import in_any_direction
-from ...notation import symbol
+from ...mechanics.families.named_families import E3, E3_AT_REST, FAMILIES
+from ...notation import jet, symbol
 from ...stability.report.report import Report
-from ..blocks import Block, Display, sentence
+from ...typesetting import typeset
+from ..blocks import Block, Display, Word, sentence
 from ..letters import letter, letters_of, word
 from .inequalities import polynomial_of
 
 OMEGA, SIGMA = symbol("omega"), symbol("sigma")
+TILTED = E3.label, E3_AT_REST.label
 _EQUATION = ("∇⟨U⟩ = ω² ⟨vector_I⟩ ⟨vector_k⟩ + ω ⟨vector_l⟩ + σ ⟨vector_k⟩",
              r"\nabla ⟨U⟩ = ⟨omega⟩^2 ⟨vector_I⟩ ⟨vector_k⟩ + ⟨omega⟩ ⟨vector_l⟩ + ⟨sigma⟩ ⟨vector_k⟩")
 _AMENDED = ("⟨U⟩ + (⟨C1⟩ − ⟨vector_l⟩·⟨vector_k⟩)²/(2 ⟨vector_k⟩·⟨vector_I⟩⟨vector_k⟩)",
             r"⟨U⟩ + (⟨C1⟩ - ⟨vector_l⟩\cdot ⟨vector_k⟩)^2/(2\, ⟨vector_k⟩\cdot ⟨vector_I⟩ ⟨vector_k⟩)")
+
+
+def title_of(eq: Equilibrium) -> str:
+    """The label, and how an equilibrium of this family moves unless the label says so."""
+    family = FAMILIES.get(eq.label)
+    title = eq.label[0].upper() + eq.label[1:]
+    return f"{title}: {family.title}" if family and family.title else title
+
+
+def tilt_blocks(eq: Equilibrium) -> list[Block]:
+    """What a tilted equilibrium is: the tilt, the point, and the relation of U, l, the rate and the tilt."""
+    if eq.label not in TILTED:
+        return []
+    rate = (" It turns about the vertical at the rate ", symbol("omega"), ".") if eq.label == E3.label else ()
+    return [sentence("The axis of the body is tilted: ", symbol("k3"), " is the cosine of its angle to the "
+                     "vertical.", *rate), *relation_blocks(eq)]
+
+
+def tilt_relations(eq: Equilibrium) -> list[Display]:
+    """What a tilted equilibrium satisfies: the relation of U, l, the rate and the tilt."""
+    return satisfied(eq) if eq.label in TILTED else []
+
+
+def satisfied(eq: Equilibrium) -> list[Display]:
+    """The relations of a family, each name by the others."""
+    return [Display(slope(eq, name), value if jet(name.name) else readable(value), eq.at, label="relation")
+            for name, value in eq.relations]
+
+
+def relation_blocks(eq: Equilibrium) -> list[Block]:
+    """What holds on a family: its relations, if there are any."""
+    return [sentence("The family satisfies:"), *satisfied(eq)] if eq.relations else []
+
+
+def slope(eq: Equilibrium, name: Symbol) -> Any:
+    """A derivative of U as it is named: where U is a letter of the scene, by another one."""
+    letters = letters_of(eq.system)
+    if not jet(name.name) or letters.of("U") == "U":
+        return name
+    shown = [typeset(name.name, eq.at, style).replace("U", typeset(letters.of("U"), style=style))
+             for style in ("text", "latex")]
+    return Word(*shown)
 
 
 def family_blocks(eq: Equilibrium) -> list[Block]:
@@ -23,8 +71,8 @@ def family_blocks(eq: Equilibrium) -> list[Block]:
     letters = letters_of(eq.system)
     k, unit = letter(letters, "vector_k"), word(letters, "|⟨vector_k⟩| = 1", "|⟨vector_k⟩| = 1")
     equation = word(letters, *_EQUATION)
-    blocks: list[Block] = [sentence("The body turns about ", k, " at the rate ", OMEGA, ", ", equation, "; ",
-                                    SIGMA, " is the multiplier of ", unit, ".")]
+    blocks: list[Block] = [sentence("The body turns about ", k, " at the rate ", OMEGA, ", with ", equation,
+                                    ", where ", SIGMA, " is the multiplier of ", unit, ".")]
     if in_any_direction(eq):
         blocks.append(Display(sum((x**2 for x in eq.point[3:]), S.Zero), S.One, label="unit"))
     return blocks

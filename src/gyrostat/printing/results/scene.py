@@ -13,26 +13,26 @@ from .two_directions import casimirs, coupling, held_blocks, motion_form, space_
 def scene_blocks(scene: System) -> list[Block]:
     """Body, field, bracket, equations of motion and integrals."""
     body, space, potential, letters = scene.body, scene.space, scene.potential, letters_of(scene)
-    field: tuple[Any, ...] = ("no field.",)
+    field: tuple[Any, ...] = ("There is no field.",)
     if potential:
-        field = ("potential ", potential.expression, *coupling(scene), ".")
+        field = ("The potential is ", potential.expression, *coupling(scene), ".")
     bracket = word(letters, "{⟨F⟩, ⟨G⟩} = ∇⟨F⟩·⟨B⟩∇⟨G⟩",
                    r"\{⟨F⟩, ⟨G⟩\} = \nabla ⟨F⟩\cdot ⟨B⟩\,\nabla ⟨G⟩")
     blocks: list[Block] = [
         Heading("Scene", label="scene"),
-        sentence(*_inertia(body), ", gyrostatic momentum ",
-                 letter(letters, "vector_l"), " = (", *listed(body.gyrostatic_momentum), "), ",
-                 *_momentum(scene), ", ", *field),
-        sentence(f"Poisson tensor on {space_of(scene)}, ", bracket, "; the Jacobi identity "
-                 "holds (Marsden, Ratiu & Weinstein 1984; with a rotor, Vera & Viguera 2003, §2)."),
+        sentence("The body has ", *_inertia(body), " and the gyrostatic momentum ",
+                 letter(letters, "vector_l"), " = (", *listed(body.gyrostatic_momentum), "); its angular "
+                 "momentum is ", *_momentum(scene), ". ", *field),
+        sentence(f"The Poisson tensor on {space_of(scene)}, ", bracket, ", satisfies the Jacobi identity "
+                 "(Marsden, Ratiu & Weinstein 1984; with a rotor, Vera & Viguera 2003, §2):"),
         Display(letter(letters, "B"), space.tensor, label="bracket")]
     names = casimirs(letters) if potential else (letter(letters, "C"),)
-    blocks += [sentence("Casimirs and Hamiltonian:"),
+    blocks += [sentence("The Casimirs and the Hamiltonian are:"),
                *(Display(n, c, label="casimir") for n, c in zip(names, space.casimirs)),
                *held_blocks(scene), Display(letter(letters, "h"), scene.hamiltonian,
                                              label="hamiltonian")]
     vector = motion_form(scene)
-    blocks += [sentence("Equations of motion, ", vector, ":"),
+    blocks += [sentence("The equations of motion are ", vector, ":"),
                *(Display(rate_of(str(x)), rate, label=f"motion:{x}")
                  for x, rate in zip(space.coordinates, scene.vector_field()))]
     return [*blocks, *_integrals(scene)]
@@ -45,10 +45,11 @@ def _integrals(scene: System) -> list[Block]:
     level = word(letters, "⟨C1⟩ = 0", "⟨C1⟩ = 0")
     blocks: list[Block] = []
     if scene.linear_integrals:
-        blocks.append(sentence("Integral found, ", commutes, ": ", *listed(scene.linear_integrals), "."))
+        found = "An integral was found" if len(scene.linear_integrals) == 1 else "Integrals were found"
+        blocks.append(sentence(f"{found}, with ", commutes, ": ", *listed(scene.linear_integrals), "."))
     for n, F in enumerate(scene.given_integrals, len(scene.linear_integrals) + 1):
-        where = (" where ", level) if F in scene.level_only else ()
-        blocks += [sentence("Integral given, ", commutes, *where, ":"),
+        where = (" if ", level) if F in scene.level_only else ()
+        blocks += [sentence("An integral was given, with ", commutes, *where, ":"),
                    Display(letter(letters, f"F{n}"), F, label=f"integral{n}")]
     return blocks
 
@@ -65,6 +66,6 @@ def _momentum(scene: System) -> tuple[Any, ...]:
 
 def _inertia(body: Gyrostat) -> tuple[Any, ...]:
     if not isinstance(body.inertia, MatrixBase):
-        return "Principal moments (", *listed(body.moments), ")"
+        return "the principal moments (", *listed(body.moments), ")"
     rows = [(*listed(row), "; ") for row in body.inertia.tolist()]
-    return "Inertia tensor (", *[part for row in rows for part in row][:-1], ")"
+    return "the inertia tensor (", *[part for row in rows for part in row][:-1], ")"

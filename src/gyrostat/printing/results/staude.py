@@ -6,6 +6,7 @@ from sympy import Add, Expr, S, oo, sqrt
 
 from ...algebra.rings.readable import readable
 from ...equilibria.curves.arc import Arc, End, Piece
+from ...equilibria.curves.cone_curves import TAU
 from ...equilibria.curves.staude import StaudeCone
 from ...equilibria.relative_equilibrium import RelativeEquilibrium
 from ...notation import symbol
@@ -14,7 +15,7 @@ from ..blocks import Block, Display, Word, equations, listed, sentence
 from ..letters import letter, letters_in
 from ..numbers import in_sentence
 
-VECTOR, OMEGA = Word("k", "⟨vector_k⟩"), symbol("omega")
+VECTOR, OMEGA, SIGMA = Word("k", "⟨vector_k⟩"), symbol("omega"), symbol("sigma")
 FAST = {oo: Word("ω → ∞", r"⟨omega⟩\to\infty"), -oo: Word("ω → −∞", r"⟨omega⟩\to-\infty")}
 
 
@@ -22,17 +23,18 @@ def cone_blocks(cone: StaudeCone) -> list[Block]:
     """The polynomial, and the rate on it."""
     terms = Add.make_args(cone.polynomial) if cone.turned else (cone.polynomial,)
     rate = OMEGA if cone.turned else OMEGA**2
-    admissible = "" if cone.turned else ", admissible where its square is positive"
+    admissible = "" if cone.turned else ", which is admissible if its square is positive,"
     return [sentence("Permanent rotations are about the directions ", VECTOR, ", |", VECTOR, "| = 1, with:"),
-            Display(Add(*map(readable, terms)), S.Zero), sentence(f"The rate{admissible}:"),
+            Display(Add(*map(readable, terms)), S.Zero), sentence(f"The rate{admissible} is:"),
             Display(rate, readable(cone.rate))]
 
 
 def arc_blocks(arc: Arc) -> list[Block]:
     """Its ends, the direction and the rate along it, the verdict of each part, and circles."""
     low, high = arc.ends
-    known: tuple[Any, ...] = (":",) if arc.both_ways else (" |", VECTOR, "| = 1:")
-    found: list[Block] = [sentence("Arc from ", *_end(low), " to ", *_end(high), " along it", *known)]
+    known: tuple[Any, ...] = () if arc.both_ways else ("|", VECTOR, "| = 1 and ")
+    found: list[Block] = [sentence("This arc leads from ", *_end(low), ", to ", *_end(high), ". ",
+                                   *_parameter(arc)), sentence("Along the arc ", *known, "these hold:")]
     k = arc.k
     if arc.both_ways:
         found.append(Display(OMEGA**2, sqrt(readable(arc.omega_squared**2))))
@@ -41,9 +43,23 @@ def arc_blocks(arc: Arc) -> list[Block]:
             *_verdicts(arc.parameter, arc.pieces), *map(_crossed, arc.circles)]
 
 
+def _parameter(arc: Arc) -> tuple[Any, ...]:
+    """What the parameter of an arc is."""
+    unit = ("|", VECTOR, "| = 1")
+    multiplier = (", where ", SIGMA, " is the multiplier of ", *unit, ".")
+    if not arc.both_ways:
+        told = ("; ", *multiplier[1:]) if any(x.has(SIGMA) for x in arc.k) else (".",)
+        return "Its parameter is the rate ", OMEGA, *told
+    if arc.parameter == TAU:
+        return "Its parameter is ", *equations([(TAU, SIGMA / OMEGA**2)]), *multiplier
+    component = symbol(f"k{arc.curve.n.index(arc.parameter) + 1}")
+    return ("Its parameter is ", *equations([(arc.parameter, OMEGA**2 * component)]), ", and ",
+            *equations([(SIGMA / OMEGA**2, arc.curve.tau)]), " is constant", *multiplier)
+
+
 def _crossed(rotation: RelativeEquilibrium) -> Block:
     rate = in_sentence(rotation.rates["omega"])
-    return sentence("Where ", *equations([(OMEGA, rate)]), " every direction of ",
+    return sentence("At ", *equations([(OMEGA, rate)]), " every direction of ",
                     rotation.locus, ", through ", VECTOR, " = (",
                     *listed(map(in_sentence, rotation.directions[0])),
                     "), is that of a permanent rotation")
@@ -54,7 +70,7 @@ def _verdicts(parameter: Expr, pieces: Iterable[Piece]) -> Iterator[Block]:
         but: tuple[Any, ...] = ()
         if piece.decision.rung is Rung.TWIST:
             D4 = letter(letters_in([parameter]), "D4")
-            but = ", but for single rates at which ", *equations([(D4, S.Zero)])
+            but = ", except at single rates with ", *equations([(D4, S.Zero)])
         yield sentence(*_interval(piece.low, parameter, piece.high),
                        f": {piece.decision.verdict.name.lower()}", *but)
 
@@ -64,8 +80,8 @@ def _end(end: End) -> tuple[Any, ...]:
         rate: tuple[Any, ...] = (FAST[end.omega],)
     else:
         rate = equations([(OMEGA, in_sentence(end.omega))])
-        rate = (*rate, " and rotations meet") if end.omega else rate
-    return (VECTOR, " = (", *listed(map(in_sentence, end.k)), "), where ", *rate, ",")
+        rate = (*rate, " and two rotations meet") if end.omega else rate
+    return (VECTOR, " = (", *listed(map(in_sentence, end.k)), "), where ", *rate)
 
 
 def _interval(low: Expr, x: Expr, high: Expr) -> tuple[Any, ...]:

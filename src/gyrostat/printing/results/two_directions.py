@@ -49,7 +49,7 @@ def held_blocks(scene: System) -> list[Block]:
         return []
     names = dict(zip(scene.space.casimirs, casimirs(letters_of(scene))))
     pairs = [(names[casimir], value) for casimir, value in scene.potential.held if casimir in names]
-    return [sentence("There ", *equations(pairs), ".")]
+    return [sentence("In this scene ", *equations(pairs), ".")]
 
 
 def motion_form(scene: System) -> Word:
@@ -76,12 +76,12 @@ def frame_blocks(report: Report) -> list[Block]:
     K, square = letter(letters, "K"), symbol(letters.of("x"))
     blocks: list[Block] = [
         Heading("Linearised motion in the frame of the directions", 2),
-        sentence("Turned by a small ", Word("θ", r"\theta"), " the body moves by ",
-                 word(letters, *_MOTION), ", with"),
+        sentence("If the body is turned by a small ", Word("θ", r"\theta"), ", it moves by ",
+                 word(letters, *_MOTION), " with"),
         Display(K, ImmutableMatrix(form.stiffness.applyfunc(readable)), eq.at, label="K"),
         Display(letter(letters, "g"), ImmutableMatrix([[*map(readable, form.gyroscopic)]]), eq.at, label="g"),
-        sentence("The second variation on the coadjoint orbit is a positive form of the momenta beside ",
-                 K, "; with ", word(letters, "⟨x⟩ = ⟨lamda⟩²", "⟨x⟩ = ⟨lamda⟩^2"),
+        sentence("The second variation on the coadjoint orbit is the sum of a positive form of the momenta "
+                 "and of ", K, ". With ", word(letters, "⟨x⟩ = ⟨lamda⟩²", "⟨x⟩ = ⟨lamda⟩^2"),
                  " the characteristic polynomial has the factors:")]
     for n, (first, *others) in enumerate(dict.fromkeys(factors_in_squares(form.coefficients)), 1):
         blocks.append(Display(letter(letters, f"f{n}"), _polynomial([first, *others], square), eq.at,
@@ -93,10 +93,11 @@ def parallel_blocks(report: Report) -> list[Block]:
     """Where the directions are parallel: of which motions the matrices and the conditions are."""
     if report.along is None:
         return []
-    return [sentence("The directions are parallel there, and the coadjoint orbit is singular. Directions "
-                     "that are parallel once stay so: the matrices are those of such motions, and what is "
-                     "unstable among them is unstable. The sufficient conditions are against all motions; "
-                     "nothing is claimed where they fail and none of these motions grows.")]
+    return [sentence("The two directions are parallel at this equilibrium, and the coadjoint orbit is "
+                     "singular. Directions that are parallel once stay parallel. The matrices are those of "
+                     "such motions; if one of these motions grows, the equilibrium is unstable. The "
+                     "sufficient conditions are for all motions. If they fail and none of these motions "
+                     "grows, nothing is claimed.")]
 
 
 def _polynomial(coefficients: list[Expr], square: Symbol) -> Expr:

@@ -29,9 +29,9 @@ from ..decision import Decision, Rung, settled, undecided
 from ..notion import Notion
 
 KEPT = "damping takes energy, which has a strict minimum on the orbit"
-LOST = "damping takes energy, which is not least on the orbit: it is lost"
-OUT_OF_REACH = ("the damping does not reach every motion: in some the body turns at a rate that stays "
-                "constant in its axes; of the others none is proved to grow")
+LOST = "damping takes energy, which has no minimum on the orbit: the equilibrium becomes unstable"
+OUT_OF_REACH = ("the damping does not reach every motion: in some motions the body turns at a rate that "
+                "stays constant in its axes, and none of the others is proved to grow")
 NO_SIGN = "a margin has no proved sign"
 KEEPS = settled(True, KEPT, Rung.SECOND_VARIATION, Notion.SECULAR, growing=0)
 
@@ -220,5 +220,5 @@ def lost(growing: int | None) -> Decision:
 
     The number is None if they are not counted.
     """
-    how_many = "" if growing is None else f", {growing} growing mode{'' if growing == 1 else 's'}"
+    how_many = "" if growing is None else f", with {growing} growing mode{'' if growing == 1 else 's'}"
     return settled(False, f"{LOST}{how_many}", Rung.NEGATIVE_SQUARES, Notion.SECULAR, growing=growing)

@@ -18,8 +18,8 @@ from .local_motion import PRECISION, LocalMotion, fraction
 from .resonances import LOWEST, NOTION, PRECISIONS, decimals, sign_of
 
 ROUGH = "U has powers of 1 ∓ k3 there that are not whole, and normal forms ask for more derivatives"
-HELD = undecided("the amended potential has a maximum, held by gyroscopic forces: normal forms decide its "
-                 "points")
+STABILISED = "the amended potential has a maximum, and gyroscopic forces stabilise it; "
+HELD = undecided(f"{STABILISED}normal forms decide at given numbers")
 
 
 def between_cuts(decision: Decision, twists: bool | None) -> Decision:
@@ -31,9 +31,9 @@ def between_cuts(decision: Decision, twists: bool | None) -> Decision:
     """
     if twists is None or decision.rung not in (Rung.TWIST_POSITIVE, Rung.TWIST_NEGATIVE):
         return replace(HELD, note=decision.note)
-    rung, but = (decision.rung, "") if twists else (Rung.TWIST, ", but for single points")
-    return replace(decision, pointwise=False, rung=rung, reason="the amended potential has a maximum, held "
-                   f"by gyroscopic forces; D4 is not 0, no resonance to order 4{but} (Arnold)")
+    rung, but = (decision.rung, "") if twists else (Rung.TWIST, ", except at single points")
+    return replace(decision, pointwise=False, rung=rung,
+                   reason=f"{STABILISED}D4 is not 0, and there is no resonance to order 4{but} (Arnold)")
 
 
 def resonance_margin(p: Any, q: Any, first: int, second: int) -> Any:
@@ -59,8 +59,7 @@ def resonances_up_to(order: int) -> list[tuple[int, int]]:
 def decide_window(motion: LocalMotion) -> Decision:
     """Return what normal forms decide if gyroscopic forces stabilise a maximum of the amended potential."""
     found = undecided(ROUGH) if motion.rough else _decided(motion)
-    return replace(found, pointwise=True, reason="the amended potential has a maximum, held by gyroscopic "
-                   f"forces; {found.reason}")
+    return replace(found, pointwise=True, reason=f"{STABILISED}{found.reason}")
 
 
 def _decided(motion: LocalMotion) -> Decision:
@@ -78,7 +77,7 @@ def _decided(motion: LocalMotion) -> Decision:
     for pair in resonances_up_to(4):
         holds = _resonant(motion, pair)
         if holds is None:
-            return undecided(f"whether the frequencies are as {pair[0]} to {pair[1]} is not proved")
+            return undecided(f"whether the frequencies are in the ratio {pair[0]} to {pair[1]} is not proved")
         if holds:
             return LOWEST[pair](motion)
     for precision in PRECISIONS:

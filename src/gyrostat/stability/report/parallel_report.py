@@ -108,7 +108,7 @@ class ParallelReport(Report):
         # an unstable motion there is unstable among all; a stable one need not be
         found = self.along.decide(numbers, margins)
         if found.stable:
-            return undecided(f"where the directions stay parallel it is stable; {OTHERS}")
+            return undecided(f"if the directions stay parallel, it is stable; {OTHERS}")
         return replace(found, modulo=())
 
 
@@ -151,7 +151,7 @@ class ParallelSecular(Secular):
             return ParallelSecular(here).decide(Point({}), {})
         found = self.along.decide(numbers, margins)
         if found.stable:
-            return undecided(f"where the directions stay parallel, {found.reason}; {OTHERS}")
+            return undecided(f"if the directions stay parallel, {found.reason}; {OTHERS}")
         return replace(found, modulo=())
 
 

@@ -115,21 +115,21 @@ class Amended:
         if values is None:
             return undecided(which)
         if values == {1}:
-            return settled(True, f"the amended potential has a strict minimum, its leading form, {which}, is "
-                           "positive (Lagrange-Dirichlet)", Rung.LEADING_FORM)
+            return settled(True, "the amended potential has a strict minimum, because its leading form, "
+                           f"{which}, is positive (Lagrange-Dirichlet)", Rung.LEADING_FORM)
         said = f"the leading form of the amended potential, {which}, "
         if values == {-1} and ALONG in which and oscillates:
-            return settled(True, f"{said}is negative as the second variation is: a strict maximum, held by "
-                           "gyroscopic forces (Sokolskii)", Rung.LEADING_FORM, level=(C1,))
+            return settled(True, f"{said}is negative, as the second variation is: a strict maximum, "
+                           "which gyroscopic forces stabilise (Sokolskii)", Rung.LEADING_FORM, level=(C1,))
         if -1 not in values:
-            return undecided(f"{said}is positive or 0: whether it has a minimum is not elementary")
+            return undecided(f"{said}is positive or 0, which does not tell whether it has a minimum")
         if self.natural:
             return settled(False, f"at rest with l = 0 the leading form of the potential, {which}, takes "
                            "negative values (Chetaev)", Rung.LEADING_FORM)
         if ALONG in which and oscillates:
             return settled(False, f"{said}is not of the sign of the second variation: a motion leaves "
                            "(Sokolskii)", Rung.LEADING_FORM)
-        return undecided(f"{said}takes negative values: gyroscopic forces may hold the motion")
+        return undecided(f"{said}takes negative values: gyroscopic forces may stabilise the equilibrium")
 
     def leading(self) -> tuple[set[int] | None, str]:
         """Return the signs that the leading form takes, and which form it is.

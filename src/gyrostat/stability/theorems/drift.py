@@ -44,7 +44,7 @@ class Drift(Shown, Stored):
 
     References
     ----------
-    Derived.
+    Derived in docs/explanation/derivations/boundaries.md, section 4.
     """
 
     equilibrium: Equilibrium

@@ -51,7 +51,7 @@ def decide_without_torque(eq: Equilibrium, numbers: Mapping[Symbol, Expr],
         if rests:
             return settled(False, "no torque acts and l = 0: a body that turns, however slowly, carries k "
                            "away", Rung.NO_TORQUE)
-        return undecided("no torque acts and M = 0: which way k goes is not elementary")
+        return undecided("no torque acts and M = 0: no theorem tells which way k goes")
     if rests and not _all_zero(across):
         if not any(map(sign_of_constant, across)):
             return undecided("no torque acts, and whether k is along M is not proved")

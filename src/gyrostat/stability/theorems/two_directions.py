@@ -15,11 +15,11 @@ from ...mechanics.families.circular_orbit import by_gradient_alone, orbital_rate
 from ...mechanics.families.orbital_precession import moving_axis
 from ..decision import Decision, Rung, settled, undecided
 
-HELD = ("gyroscopic forces hold it, the second variation has both signs: no theorem decides with three "
-        "degrees of freedom")
-COUPLED = "the point lies between the two criteria, which are what there is of a field with a coupling β"
+HELD = ("gyroscopic forces stabilise it, and the second variation has both signs: no theorem decides with "
+        "three degrees of freedom")
+COUPLED = "the point lies between the two criteria, and there is no other for a field with a coupling β"
 DEGENERATE = "the second variation is degenerate: terms of higher degree decide"
-ON_CURVE = settled(True, "the energy is least on a closed curve of equilibria, K positive across it",
+ON_CURVE = settled(True, "the energy is least on a closed curve of equilibria, and K is positive across it",
                    Rung.LEAST_ON_SET, locus="the closed curve of equilibria to which it belongs")
 AXIS = "the axis moves in the orbital frame as k of a spherical gyrostat in one field does: "
 

@@ -186,7 +186,10 @@ class Meeting:
 
     @property
     def periodic(self) -> bool:
-        """Whether the period is finite: a double root is not the larger one."""
+        """Whether the period is finite.
+
+        It is not if a double root is larger than the third one: then g3 = −8 e³ is negative.
+        """
         return self.sign != 0 or decided(self.g3, "the invariant g3") > 0
 
     def period(self, bits: int) -> list[arb]:

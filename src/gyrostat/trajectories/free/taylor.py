@@ -42,7 +42,7 @@ class Rates:
 
     @cached_property
     def unit(self) -> float:
-        """A time in which little happens."""
+        """The time in which little happens: the inverse of the sum of all rates."""
         return 1 / math.fsum(abs(float(x)) for x in (*self.spread, *self.constant))
 
     def about(self, M: Vector) -> arb:

@@ -87,7 +87,7 @@ class Integrals:
 
     @cached_property
     def constant(self) -> list[bool]:
-        """Which of the functions are constants."""
+        """Whether each of the functions is a constant."""
         return [all(x == 0 for x in (*row, jump)) for row, jump in zip(self.series, self.jumps)]
 
     def curve(self, weights: Sequence[int]) -> Curve:
