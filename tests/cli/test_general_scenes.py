@@ -113,7 +113,7 @@ def test_without_a_point(capsys):
     status, out, _ = run(capsys, *FIELD)
     assert status == 0 and "π̇₃ = π₁ π₂ (I₁ − I₂)/(I₁ I₂)" in out
     assert "E1: spinning about the upward vertical" in out and "E2: " in out and "E3" not in out
-    assert "Other equilibria of this scene are not looked for: name one, --point PI1,PI2,PI3,K1,K2,K3" in out
+    assert "Other equilibria of this scene are not looked for: give its point PI1,PI2,PI3,K1,K2,K3" in out
     for form in ([], ["--format", "latex"], ["--format", "json"]):
         status, out, _ = run(capsys, "--potential", "k1*k3", *form)
         assert status == 0 and "Equilibria of this scene are not looked for" in out and "E1" not in out
@@ -199,20 +199,21 @@ def test_free_bodies(capsys):
 
 
 @pytest.mark.parametrize(("verb", "arguments", "why"), [
-    ("report", ["--potential", "k3", "--point", "0,0,1"], "--point 0,0,1 has 3 numbers, the body 6"),
-    ("report", [*FIELD, *POINT, "--equilibrium", "E1"], "--point and --equilibrium E1 are both given"),
+    ("report", ["--potential", "k3", "--point", "0,0,1"], "point 0,0,1 has 3 numbers, and the body has 6"),
+    ("report", [*FIELD, *POINT, "--equilibrium", "E1"], "a point and the equilibrium E1 are both given"),
     ("report", [*FIELD, "--point", "0,0,I3*w,0,0,2"], "k is a direction, |k| = 1"),
     ("report", [*FIELD, "--point", "0,0,1,1,0,0"], "E is not an equilibrium"),
-    ("report", [*FIELD, "--equilibrium", "E3"], "this scene is none of them: name a point"),
-    ("report", [*FIELD, "--equilibrium", "axis 1"], "axis 1 is of a free body"),
+    ("report", [*FIELD, "--equilibrium", "E3"], "this scene is none of them: give its point"),
+    ("report", [*FIELD, "--equilibrium", "axis 1"], "axis 1 is one of a free body"),
     ("report", ["--inertia", "1,2"], "inertia has 2 entries"),
     ("report", ["--inertia", "1,2,-3"], "-3 is not positive"),
     ("report", ["--potential", "k3", "--set", "l=1", "--set", "l1=2"], "both l and l1 are given"),
     ("decide", [*FIELD, *POINT, *sets(SETS), "--set", "b=1"], "E has no parameter b"),
     ("decide", [*FIELD, *POINT], "E needs I1"),
     ("chart", [*FIELD, "--x", "l=0:1:2", "--y", "a=0:1:2", "--output", "chart.png"],
-     "--equilibrium is missing, a chart is of one: name E1, E2, E3 or permanent-rotation, or a point"),
-    ("motion", ["--potential", "U(k3)", "--state", "0,0,1,0,0,1", "--until", "1"], "unspecified U moves"),
+     "a chart shows one: name E1, E2, E3 or permanent-rotation, or give its point"),
+    ("motion", ["--potential", "U(k3)", "--state", "0,0,1,0,0,1", "--until", "1"],
+     "no motion follows from an unspecified U"),
     ("motion", ["--potential", "k3", "--until", "1"], "--state is missing")])
 def test_bad_input(capsys, verb, arguments, why):
     """One sentence."""

@@ -61,7 +61,7 @@ def test_where_a_process_cannot_be_doubled(capsys, monkeypatch):
     monkeypatch.setattr(watch.subprocess, "run", late)
     with pytest.raises(SystemExit) as stop:
         watch.watched("verify", 3.0, None)
-    assert stop.value.code == 2 and "not within 3 s" in capsys.readouterr().err
+    assert stop.value.code == 2 and "no answer within 3 s" in capsys.readouterr().err
 
 
 def working(running):
@@ -128,7 +128,7 @@ def test_a_verdict_that_takes_too_long():
     """One line that says what to do, exit status 2."""
     run = subprocess.run([*COMMAND, *ENDLESS, "--timeout", "0.5"], capture_output=True, text=True)
     assert (run.returncode, run.stdout) == (2, "")
-    assert run.stderr.startswith("gyrostat: not within 0.5 s: give it more time, --timeout 5")
+    assert run.stderr.startswith("gyrostat: no answer within 0.5 s: give more time, --timeout 5")
 
 
 @pytest.mark.slow
@@ -137,7 +137,7 @@ def test_a_verdict_that_takes_too_long():
     (["conditions"], "> /dev/full", "No space left on device"),
     (["decide", *TOPS, "--batch", "-"], "<&-", "standard input, which is closed"),
     (["conditions", "--output", "/dev/full"], "", "cannot write /dev/full: No space left"),
-    (["conditions", "--output", "/"], "", "cannot write /: Is a directory"),
+    (["conditions", "--output", "/"], "", "cannot write /: Is a directory: check the path"),
     (["decide", *TOPS, "--batch", "/"], "", "cannot read /: Is a directory")])
 def test_what_cannot_be_written_or_read(arguments, redirected, why):
     """One line, exit status 2, no traceback."""

@@ -36,7 +36,7 @@ def test_a_time_is_positive_seconds(capsys, text):
     """Or none."""
     with pytest.raises(SystemExit) as stop:
         main(["report", f"--timeout={text}"])
-    assert stop.value.code == 2 and "is no time: give seconds" in capsys.readouterr().err
+    assert stop.value.code == 2 and "is not a time: give seconds" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize("arguments", [
@@ -66,7 +66,7 @@ def test_the_others_are_given_where_one_does_not_exist(capsys, verb, potential, 
     for form in ("text", "latex", "json"):
         assert main([verb, "--potential", potential, "--format", form]) == 0
         out = capsys.readouterr().out
-        assert all(f"{label} is out of reach: U " in " ".join(out.split())
+        assert all(f"{label} cannot be analysed: U " in " ".join(out.split())
                    for label in missing)
     labels = {e["label"]: "error" in e for e in json.loads(out)["equilibria"]}
     assert {label: label in missing for label in ("E1", "E2", "E3")}.items() <= labels.items()
@@ -82,7 +82,7 @@ def test_decide_gives_the_others(capsys):
         found = {e["label"]: e for e in json.loads(capsys.readouterr().out)["equilibria"]}
         assert found["E2"]["decision"]["verdict"] == "STABLE" and "finite" in found["E1"]["error"]
     assert main(["decide", "--potential", "1/(k3-1)", *numbers]) == 0
-    assert "E1 is out of reach" in capsys.readouterr().out
+    assert "E1 cannot be analysed" in capsys.readouterr().out
 
 
 def test_no_class_name_is_prose(capsys):

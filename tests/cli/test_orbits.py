@@ -95,8 +95,7 @@ def test_a_symmetric_satellite(capsys):
     """Its precessions by name, and all that the numbers name."""
     disc = ("--orbit", "omega0", "--inertia", "I1,I1,I3", "--gyrostatic-momentum", "0,0,l")
     _, out, _ = run(capsys, *disc, verb="conditions")
-    assert [word for word in out.split() if word in ("cylindrical", "hyperbolic", "conical")] == [
-        "cylindrical", "hyperbolic", "conical"]
+    assert out.index("Cylindrical: ") < out.index("Hyperbolic: ") < out.index("Conical: ")
     _, out, _ = run(capsys, *disc, "--equilibrium", "conical", "--set", "I1=1", "I3=8/5", "omega0=1",
                     "n3=3/4", verb="decide")
 
@@ -159,19 +158,19 @@ def test_a_chart_and_its_data(capsys, file, tmp_path):
 
 
 REFUSED = [
-    ("decide", ("--equilibrium", "earth-pointing"), "is of a satellite in orbit, and this body is in none"),
-    ("decide", ("--orbit", "1", "--equilibrium", "E1"), "is of a body in a field fixed in space"),
-    ("decide", ("--orbit", "1", "--equilibrium", "axis 1"), "is of a free body"),
+    ("decide", ("--equilibrium", "earth-pointing"), "a satellite in orbit, and this body is in no orbit"),
+    ("decide", ("--orbit", "1", "--equilibrium", "E1"), "is one of a body in a field fixed in space"),
+    ("decide", ("--orbit", "1", "--equilibrium", "axis 1"), "is one of a free body"),
     ("decide", (*BODY, "--potential", "k1*k3"), "a direction fixed in space"),
     ("report", (*BODY, "--potential", "U(k3)"), "unspecified"),
     ("report", ("--potential", "3/2*w^2*(I1*r1^2 + I3*n3^2)"), "--orbit, which has the gravity gradient"),
     ("report", ("--orbit", "0"), "rate = 0"), ("report", ("--orbit", "-1"), "rate = -1"),
-    ("report", ("--orbit", "mu=1,radius=0"), "radius = 0"), ("report", ("--orbit", "mu=1"), "give both"),
+    ("report", ("--orbit", "mu=1,radius=0"), "radius = 0"), ("report", ("--orbit", "mu=1"), "is given alone"),
     ("report", ("--orbit", "rate=1,mu=3,radius=2"), "0.612372435696"),
     ("report", ("--orbit", "speed=2"), "give its rate"), ("report", ("--orbit", ""), "give its rate"),
     ("report", ("--orbit", "mu=1,altitude=2"), "that of the Earth and the height"),
     ("decide", ("--orbit", "1", "--inertia", "41,1,1;1,58,0;1,0,25", "--gyrostatic-momentum", "0,1,0",
-                "--equilibrium", "earth-pointing"), "t·Ir = 1, l·t + ω0 t·In = 1, and each has to be 0"),
+                "--equilibrium", "earth-pointing"), "t·Ir = 1, l·t + ω0 t·In = 1, and each must be 0"),
     ("report", (*BODY, "--equilibrium", "conical"), "moments I1, I1, I3 and rotor 0, 0, l"),
     ("report", ("--orbit", "3 kg"), "rate"), ("report", ("--orbit", "-omega0"), "is positive"),
     ("report", ("--orbit", "n1"), "a direction that moves"),

@@ -56,7 +56,7 @@ def test_a_family_with_one_parameter_of_u(capsys):
     ("conditions", ["--direction", "k1,0,0"], "direction depends on k1, the direction of the field"),
     ("conditions", ["--potential", "k1+k2"], "no parameter that ∇U(k) determines"),
     ("conditions", ["--potential", "U(k3)"], "this scene has U = U(k3): use U(k1, k2, k3)"),
-    ("conditions", ["--potential", "none"], "needs a field"),
+    ("conditions", ["--potential", "none"], "is one in a field"),
     ("conditions", ["--set", "k1=1/2"], "give a direction in place of numbers"),
     ("decide", ["--set", *NUMBERS, "k1=1", "k2=1", "k3=0"], "k = (1, 1, 0) has |k|² − 1 = 1"),
     ("chart", ["--set", "I1=1", "--x", "k1=0:1:9", "--y", "k2=0:1:9", "--output", "x.png"],

@@ -139,14 +139,14 @@ def test_what_cannot_be_drawn_is_refused():
     with pytest.raises(ValuesError,
                        match="the range of omega is 2 to 1: give two numbers, the lower one first"):
         draw_bifurcation_diagram(TOP, "omega", (2, 1), values)
-    with pytest.raises(ValuesError, match="given were I1, I3, m0, free is l: give omega too"):
+    with pytest.raises(ValuesError, match="given were I1, I3, m0, and l is free: give omega too"):
         draw_bifurcation_diagram(TOP, "l", (0, 1), {"I1": 2, "I3": 1, "m0": 1})
     for name, ends in (("I1", (-2, 2)), ("I3", (0, 1)), ("I1", ("-1", "-1/2"))):
         rest = {n: x for n, x in {**values, "omega": 1}.items() if n != name}
         with pytest.raises(ValuesError,
                            match=f"{name} is a moment of inertia: give a range in which it is positive"):
             draw_bifurcation_diagram(TOP, name, ends, rest)
-    with pytest.raises(ValuesError, match="free is speed"):
+    with pytest.raises(ValuesError, match="speed is free"):
         draw_bifurcation_diagram(TOP, "speed", (0, 1), {**values, "omega": 1})
     with pytest.raises(ScopeError, match="give a field that is rational in k3"):
         transcendental = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential(lambda k3: exp(k3)))

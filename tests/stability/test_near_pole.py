@@ -127,7 +127,7 @@ def test_under_damping():
     (acos(k3), "the power 1/2 of 1 - k3, and on the sphere it has no slope"),
     ((1 - k3)**Rational(1, 4), "the power 1/4 of 1 - k3, and on the sphere it has no slope")])
 def test_what_is_no_field_of_class_c2(U, why):
-    with pytest.raises(EquilibriumError, match=f"E1 is out of reach: U goes there with {why}"):
+    with pytest.raises(EquilibriumError, match=f"E1 cannot be analysed: U changes near it as {why}"):
         report(U)
 
 
@@ -162,7 +162,7 @@ def test_a_name_in_an_exponent(text):
         gs.axial_potential(text)
     a = gs.symbol("a")
     scene = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential((1 - k3)**a))
-    with pytest.raises(EquilibriumError, match=r"0 there to a power with a in it: .* U.subs\(a, 2\)"):
+    with pytest.raises(EquilibriumError, match=r"a power of 0 whose exponent has a in it; .* U.subs\(a, 2\)"):
         gs.upright(scene)
     whole = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential((1 - k3)**2))
     values = BODY | {"pi3_0": 1}

@@ -162,10 +162,10 @@ def file_of(out: Output, what: str, kinds: Sequence[str], names: str,
             extras: Mapping[str, str] = MappingProxyType({})) -> Path:
     """The file to write, of a kind that there is; the packages for it and what else is needed are there."""
     if out.path is None:
-        raise ValuesError(f"--output is missing, a {what} goes to a file: name {names}")
+        raise ValuesError(f"--output is missing, and a {what} is written to a file: name {names}")
     path = Path(out.path)
     if path.suffix not in kinds:
-        raise ValuesError(f"--output {path} is of no kind that is written: name {names}")
+        raise ValuesError(f"--output {path} has none of the suffixes that are known here: name {names}")
     needed({**extras, **EXTRAS.get(path.suffix, {})})
     path.parent.stat()                                 # raises OSError where there is no such folder
     return path

@@ -190,7 +190,7 @@ def _kinds(plot: Parser) -> list[Parser]:
 def _line(text: str) -> int:
     """The number of a line."""
     if not text.isdecimal() or not int(text[:18]):
-        raise argparse.ArgumentTypeError(f"{text} is no line: the first one is 1")
+        raise argparse.ArgumentTypeError(f"{text} is not the number of a line: give 1 or more")
     return int(text[:18])
 
 
@@ -201,7 +201,7 @@ def _seconds(text: str) -> float | None:
     except ValueError:
         seconds = math.nan
     if not seconds > 0 or math.isinf(seconds) and text != "none":
-        raise argparse.ArgumentTypeError(f"{text} is no time: give seconds, 60 or 0.5, or none")
+        raise argparse.ArgumentTypeError(f"{text} is not a time: give seconds, 60 or 0.5, or none")
     return None if text == "none" else seconds
 
 

@@ -1,5 +1,6 @@
 """A verb carried out: its exit status, and one line on standard error for whatever comes in between."""
 import argparse
+import errno
 import gc
 import os
 from importlib import import_module
@@ -9,6 +10,7 @@ from ..errors import GyrostatError, ValuesError
 from .output import Output, internal, silenced, told
 from .time_limit import watched
 
+_WRONG_PATH = (errno.ENOENT, errno.EISDIR, errno.ENOTDIR, errno.EACCES)
 # in the environment: an internal error comes with its traceback
 DEBUG = "GYROSTAT_DEBUG"
 
@@ -19,7 +21,7 @@ def carried_out(given: argparse.Namespace, limited: bool) -> int:
         with Output(given.output) as out:
             for option in ("fragment", "symbols", "label"):
                 if getattr(given, option, None) and given.format != "latex":
-                    raise ValuesError(f"--{option} is for LaTeX, --format is {given.format}: "
+                    raise ValuesError(f"--{option} is for LaTeX, and --format is {given.format}: "
                                       "add --format latex")
             if limited and given.timeout is not None and getattr(given, "batch", None) is None:
                 watched(given.verb, given.timeout, given.output)
@@ -35,12 +37,13 @@ def carried_out(given: argparse.Namespace, limited: bool) -> int:
         return 0
     except OSError as error:
         silenced()
-        told(f"cannot write {given.output or 'to standard output'}: {error.strerror or error}")
+        hint = ": check the path, or name another file" if error.errno in _WRONG_PATH and given.output else ""
+        told(f"cannot write {given.output or 'to standard output'}: {error.strerror or error}{hint}")
     except KeyboardInterrupt as error:
         told(f"interrupted; {getattr(error, 'kept', '') or _kept(given)}")
         return getattr(error, "status", 130)
     except MemoryError:
-        told("there is not enough memory for it: ask for less")
+        told("there is not enough memory for this: ask for less")
     except Exception as error:
         if os.environ.get(DEBUG):
             raise

@@ -122,15 +122,15 @@ def watched(verb: str, seconds: float, output: str | None) -> None:
     if status is None or status == -signal.SIGALRM:
         told(too_long(seconds))
     elif status < 0:
-        told(f"the process that worked was ended by signal {-status}, {signal.strsignal(-status)}: is "
-             "there too little memory?")
+        told(f"the computation was ended by signal {-status}, {signal.strsignal(-status)}; there may be too "
+             "little memory: ask for less")
     os._exit(status if status is not None and status >= 0 else 2)
 
 
 def too_long(seconds: float) -> str:
     """What is said where the time is over."""
-    return (f"not within {seconds:g} s: give it more time, --timeout {10 * seconds:g}, or --timeout none; "
-            "or numbers that are simpler")
+    return (f"no answer within {seconds:g} s: give more time, --timeout {10 * seconds:g} or --timeout none, "
+            "or simpler numbers")
 
 
 def _waited(process: int, reading: int, end: float, line: Waiting) -> int | None:

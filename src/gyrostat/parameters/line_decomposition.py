@@ -36,7 +36,8 @@ def cut(report: Report, x: Symbol, numbers: Point, low: Expr | None, high: Expr 
     if everywhere and report.between:                      # it is on the boundary whatever x is
         placed += [e.xreplace(numbers) for e in report.between.ladder()]
     elif everywhere and is_identically_zero(report.determinant[0].xreplace(numbers)):
-        raise ScopeError(f"the second variation is degenerate whatever {x} is: ask for verdicts at numbers")
+        raise ScopeError(f"the second variation is degenerate for every {x}: ask for verdicts at given "
+                         "numbers")
     polynomials = [f for e in placed if x in e.free_symbols for f in _numerators(e, x)]
     ends = real_roots(Mul(*polynomials), x, low, high) or []
     bounds: list[Expr] = [-oo if low is None else low, *ends, oo if high is None else high]

@@ -72,7 +72,7 @@ def solve_condition(condition: Condition, name: str, boundary: Ends | None = Non
     """
     x, domain = symbol(name), [exact_expression(e, "domain") for e in domain]
     if condition.degenerate:
-        raise ScopeError(f"{condition.margin} > 0 fails too where "
+        raise ScopeError(f"{condition.margin} > 0 also fails if "
                          f"{', '.join(map(str, condition.degenerate))} = 0, and is not solved in closed "
                          "form: give numbers")
     coefficients = _coefficients(condition.margin, x)
@@ -85,9 +85,9 @@ def solve_condition(condition: Condition, name: str, boundary: Ends | None = Non
     elif len(coefficients) <= 3:
         cases = _quadratic(start, *[S.Zero] * (3 - len(coefficients)), *coefficients[::-1])
     else:
-        raise ScopeError(f"{condition.margin} has degree {len(coefficients) - 1} in {name}: give numbers "
-                         "for the other names, then its "
-                         "roots are those of a polynomial")
+        raise ScopeError(f"{condition.margin} has degree {len(coefficients) - 1} in {name}, and is solved in "
+                         "closed form up to degree 2, or without odd powers up to degree 4: give "
+                         "numbers for the other names")
     return SolvedCondition("stable", condition.margin, tuple(cases), condition.at)
 
 

@@ -157,8 +157,8 @@ def _parts(linear: Linearization) -> list[tuple[list[Expr], Sequence[Condition]]
     factors = factors_in_squares(linear.coefficients)
     if len(factors) == 1:
         raise ScopeError(f"the eigenvalues of {eq.label} are the roots of a polynomial of degree six that "
-                         "does not factor, and these are not followed: "
-                         "analyze(eq).linearization.eigenvalues() has them at numbers")
+                         "does not factor, and are not followed along a parameter: "
+                         "analyze(eq).linearization.eigenvalues() has them at given numbers")
     signs = signs_over(eq, [c for factor in factors for c in factor])
     return [([eq.insert(c / first) for c in others],
              [condition_of(signs.ring, item, eq) for item in items_of_factors([(first, *others)], signs)])
@@ -172,15 +172,14 @@ def _exists(eq: Equilibrium, coefficients: Sequence[Expr], numbers: Mapping[Symb
         placed = e.xreplace(dict(numbers))
         if placed.free_symbols == {free} and (any(sign(placed, {free: end}) != 1 for end in (low, high))
                                               or changes_of_sign(placed, free, low, high)):
-            raise ValuesError(f"{free} goes from {low} to {high}, and {eq.label} exists only where {e} > "
+            raise ValuesError(f"{free} goes from {low} to {high}, and {eq.label} exists only if {e} > "
                               "0: give a range inside")
     for c in coefficients:
         ring = Ring([c, free])
         bottom = ring.expression(ring.fraction(c)[1])
         if bottom.has(free) and zeros_of(bottom, free, low, high):
             raise ValuesError(f"the eigenvalues of {eq.label} are infinite between {free} = {low} and "
-                              f"{high}, where {bottom} = 0: give a "
-                              "range without that")
+                              f"{high}, at {bottom} = 0: give a range without that value")
 
 
 def _columns(coefficients: Sequence[Expr], free: Symbol, at: Array,

@@ -14,16 +14,16 @@ Number = TypeVar("Number")
 
 
 def numbers_of(settings: Sequence[str]) -> dict[str, Expr]:
-    """The numbers of --set NAME=VALUE."""
+    """The numbers of settings NAME=VALUE."""
     numbers: dict[str, Expr] = {}
     texts: dict[str, str] = {}
     for setting in settings:
         typed, equals, value = setting.partition("=")
         if not equals or "=" in value or value.endswith(",") or not (name := name_of(typed.strip())):
-            raise ValuesError(f"--set {brief(setting)[1:-1]} is not NAME=VALUE{unknown_letter(typed)}: "
-                              "write, for example, --set I1=1.6 l=1/2")
+            raise ValuesError(f"the setting {brief(setting)[1:-1]} is not NAME=VALUE{unknown_letter(typed)}: "
+                              "write, for example, I1=1.6 l=1/2")
         if name in numbers:
-            raise ValuesError(f"--set gives {name} twice: give it once")
+            raise ValuesError(f"{name} is given twice: give it once")
         numbers[name], texts[name] = exact_number(value, name), value
     not_mixed(texts.items())
     one_spin(numbers)

@@ -67,8 +67,8 @@ class Asked:
         if momentum is None:
             rotor = [name for name in ROTOR if name in names]
             if rotor and "l" in names:
-                raise ValuesError(f"both l and {rotor[0]} are given, l is the rotor along axis 3: give l, or "
-                                  f"{', '.join(ROTOR)}")
+                raise ValuesError(f"both l and {rotor[0]} are given, and l is the rotor along axis 3: give "
+                                  f"l, or {', '.join(ROTOR)}")
             axis = 3 if self.orbit is None else abs(pointing_of(self.pointing)[1])
             momentum = ",".join(ROTOR if rotor else ("l" if n == axis else "0" for n in (1, 2, 3)))
         return replace(self, potential=potential, inertia=inertia, gyrostatic_momentum=momentum)
@@ -93,7 +93,7 @@ def _of_three(potential: str) -> bool:
 
 
 def direction_of(asked: Asked) -> tuple[Expr, ...] | None:
-    """The direction of --direction; None where it is left out."""
+    """The direction that is given; None if none is."""
     if asked.direction is None:
         return None
     return direction_in(SceneTable({"direction": asked.direction}).table["direction"])
@@ -105,12 +105,12 @@ def pointing_of(text: str | None) -> Sequence[int]:
     return axes
 
 
-def one_for_each(option: str, text: str, scene: System) -> Sequence[str]:
+def one_for_each(what: str, text: str, scene: System) -> Sequence[str]:
     """The texts of a point or a state, one for each coordinate."""
     texts, names = text.split(","), [str(s) for s in scene.space.coordinates]
     if len(texts) != len(names):
-        raise ValuesError(f"{option} {brief(text)[1:-1]} has {len(texts)} numbers, the body {len(names)} "
-                          f"coordinates: give {','.join(names)}")
+        raise ValuesError(f"{what} {brief(text)[1:-1]} has {len(texts)} numbers, and the body has "
+                          f"{len(names)} coordinates: give {','.join(names)}")
     return texts
 
 

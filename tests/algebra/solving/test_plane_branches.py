@@ -58,5 +58,5 @@ def test_complex_roots_that_meet():
 def test_what_is_not_told_apart():
     """Branches that touch, or cross unknown."""
     for F in ((x - t**2) * (x + t**2), x**2 - t**2, x**3 - t * x):
-        with pytest.raises(ScopeError, match="at t = 0 several branches meet, and it is not told"):
+        with pytest.raises(ScopeError, match="at t = 0 several branches meet, and it is not decided"):
             strands(F, x, t, {})

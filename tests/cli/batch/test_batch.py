@@ -47,7 +47,7 @@ def test_a_batch(capsys, monkeypatch):
                    (10, "E1 needs"), (11, "not a real number"), (12, "must be positive"), (13, "E7"),
                    (14, "no parameter m0"),
                    (15, "too long"), (16, "not JSON"), (17, "not JSON"), (18, "is not a name"), (19, "both"),
-                   (21, "needs a field")):
+                   (21, "is one in a field")):
         assert why in next(r["error"] for r in results if r["line"] == n) and f"gyrostat: line {n}: " in err
     assert len(err.splitlines()) == len(results) - len(GOOD)
 
@@ -156,4 +156,4 @@ def test_an_equilibrium_or_a_potential_of_another_kind_is_refused(capsys, monkey
              b'{"equilibrium": 5}', b'{"equilibrium": ""}', b'{"potential": {}}', b'{"potential": [1]}']
     status, results, err = batch(capsys, monkeypatch, lines)
     assert status == 2 and "internal error" not in err
-    assert len(results) == len(lines) and all("a potential is a text" in r["error"] for r in results)
+    assert len(results) == len(lines) and all("give a potential as a text" in r["error"] for r in results)

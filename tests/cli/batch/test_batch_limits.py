@@ -45,8 +45,8 @@ def test_a_line_that_takes_too_long(capsys, monkeypatch, answering):
     status, found, err = batch(monkeypatch, capsys, [GOOD, BAD, GOOD, GOOD], "--timeout", "1.5")
     assert status == 2
     assert [r["line"] for r in found] == [1, 2, 3, 4]
-    assert err == "gyrostat: line 2: not within 1.5 s\n"
-    assert [r.get("error") for r in found] == [None, "not within 1.5 s", None, None]
+    assert err == "gyrostat: line 2: no answer within 1.5 s\n"
+    assert [r.get("error") for r in found] == [None, "no answer within 1.5 s", None, None]
 
 
 @pytest.mark.few(1)

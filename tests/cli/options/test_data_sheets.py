@@ -65,8 +65,8 @@ def test_a_table_is_a_body():
 
 
 REFUSED = [
-    ({"rotors": [{"axis": [0, 0, 1], "axial": 1}]}, "rotors and lumped go together"),
-    ({"lumped": True}, "rotors and lumped go together"), ({"lumped": True, "rotors": []}, "list of tables"),
+    ({"rotors": [{"axis": [0, 0, 1], "axial": 1}]}, "rotors and lumped must both be given"),
+    ({"lumped": True}, "rotors and lumped must both"), ({"lumped": True, "rotors": []}, "list of tables"),
     ({"lumped": 1}, "write true or false"),
     ({"lumped": True, "rotors": [{"axis": [0, 0, 1]}]}, "no axial"),
     ({"lumped": True, "rotors": [{"axis": [0, 0, 1], "axial": 1, "spin": 1}]}, "no entry spin"),

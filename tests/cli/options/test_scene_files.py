@@ -211,7 +211,7 @@ BAD = [
     ("[scene.a]\nvalues = { I1 = 'I3' }", "a", "contains the names I3"),
     ("[scene.a]\nvalues = { pi3_0 = 1, omega3_0 = 1 }", "a", "both pi3_0 and omega3_0"),
     ("[scene.a]\n[scene.b]\n", "", "has several scenes, a, b: name one, --scene "),
-    ("[scene.a]\n", "b", "has no scene b: its scenes are a"), ("x = 1", "", "has no [scene.NAME] table"),
+    ("[scene.a]\n", "b", "has no scene b: name one of its"), ("x = 1", "", "has no [scene.NAME] table"),
     ("scene = 5", "", "scene is not made of [scene.NAME] tables"), ("x = [", "", "is not TOML")]
 
 

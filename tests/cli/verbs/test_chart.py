@@ -70,12 +70,13 @@ def test_axes_of_a_chart(capsys, tmp_path, arguments, dims):
 
 
 @pytest.mark.parametrize(("arguments", "why"), [
-    ([], "--output is missing, a chart goes to a file: name a picture, chart.png, .pdf or .svg; data, "
-         "chart.nc or chart.zarr"),
-    (["--output", "chart.txt"], "of no kind"), (["--output", "missing/chart.png"], "cannot write"),
+    ([], "--output is missing, and a chart is written to a file: name a picture, chart.png, .pdf or .svg; "
+         "data, chart.nc or chart.zarr"),
+    (["--output", "chart.txt"], "has none of the suffixes"),
+    (["--output", "missing/chart.png"], "cannot write"),
     (["--output", "missing/chart.zarr"], "cannot write"), (["--output", "missing/chart.nc"], "No such file"),
-    (["--axis", "I3=1:2:3", "--output", "chart.png"], "a picture has two axes"),
-    (["--axis", "I3=1:2:1000000", "--output", "chart.nc"], "1200000000 points are more than"),
+    (["--axis", "I3=1:2:3", "--output", "chart.png"], "a picture has two: write data instead"),
+    (["--axis", "I3=1:2:1000000", "--output", "chart.nc"], "1200000000 points, and at most"),
     (["--x", "l=1:2:3", *["--output", "c.nc"]],
      "l is an axis twice"), (["--x", "pi3_0=1:2", "--output", "c.nc"], "NAME=LOW:HIGH:COUNT"),
     (["--x", "pi3_0=1:1:9", "--output", "c.nc"],
@@ -86,8 +87,8 @@ def test_axes_of_a_chart(capsys, tmp_path, arguments, dims):
     (["--set", "mass=1", "--output", "c.nc"], "no parameter mass"),
     (["--set", "omega3_0=1", "--output", "c.nc"], "both"),
     (["--potential", "m0*k3**2 + m1*k3", "--output", "c.nc"], "E1 needs m1"),
-    (["--potential", "none", "--output", "c.nc"], "needs a field"),
-    (["--backend", "numba", "--set", "I1=-1", "--output", "c.nc"], "gives I1 twice")])
+    (["--potential", "none", "--output", "c.nc"], "is one in a field"),
+    (["--backend", "numba", "--set", "I1=-1", "--output", "c.nc"], "I1 is given twice")])
 def test_bad_charts_exit_2(capsys, tmp_path, monkeypatch, arguments, why):
     """A clear error on stderr, nothing on stdout, nothing written."""
     monkeypatch.chdir(tmp_path)
@@ -103,7 +104,7 @@ def test_bad_charts_exit_2(capsys, tmp_path, monkeypatch, arguments, why):
 def test_a_chart_names_its_equilibrium(capsys):
     """Without --equilibrium there is no chart of a body in a field."""
     status, _, err = chart(capsys, *SPINS[:2], *SPINS[4:], "--output", "chart.png")
-    assert status == 2 and "--equilibrium is missing" in err
+    assert status == 2 and "no equilibrium is named" in err
 
 
 @pytest.mark.parametrize(("missing", "kind", "extra"),
@@ -172,4 +173,4 @@ def test_e3_determines_what_is_neither_set_nor_an_axis(capsys, tmp_path):
         assert len(np.unique(found.verdict)) > 1
     status, out, err = chart(capsys, *given, "m0=1", "--output", str(tmp_path / "several.png"))
     assert (status, out) == (2, "") and not (tmp_path / "several.png").exists()
-    assert "E3 may have several tilts k3 at one l and omega" in err and "give k3 in place of l = (" in err
+    assert "E3 may have several tilts k3 at one l and omega" in err and "give k3 instead of l = (" in err

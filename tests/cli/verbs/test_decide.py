@@ -111,7 +111,7 @@ def test_decide_all_that_the_numbers_allow(capsys):
     ([], "not enough"), (["--equilibrium", "E1", "--set", "I1=1"], "E1 needs"),
     (["--equilibrium", "E3", *HEAVY, *TOP], "k3 or omega"),
     (["--equilibrium", "E1", *HEAVY, *TOP, "--set", "pi3_0=1", "--set", "k3=1"], "no parameter k3"),
-    (["--equilibrium", "E1", "--potential", "none"], "needs a field"),
+    (["--equilibrium", "E1", "--potential", "none"], "is one in a field"),
     (["--set", "pi3_0=1", "--set", "omega3_0=1"], "both"),
     (["--equilibrium", "E3", *HEAVY, *TOP, "--set", "k3=1/2", "--set", "omega=1"], "not on E3"),
     (["--potential", "exp(k3)", *TOP[:6], "--set", "pi3_0=1", "--set", "C1=1"], "roots are not found"),

@@ -113,7 +113,7 @@ def test_output_file(capsys, tmp_path):
     (["--set", "mass=1"], "no parameter mass"), (["--set", "I1=1"], "not enough"),
     (["--set", "I1=-1", *TOP[4:], "--set", "pi3_0=1",
      "--set", "dU=1"], "no parameter m0"), (["--set", "pi3_0=1", "--set", "omega3_0=1"], "both"),
-    (["--potential", "none", "--equilibrium", "E1"], "needs a field"),
+    (["--potential", "none", "--equilibrium", "E1"], "is one in a field"),
     (["--equilibrium", "E1", "--set", "I1=-1", "--set", "l=0", "--set", "pi3_0=1", "--set", "dU=1"],
      "must be positive"),
     (["--equilibrium", "E3", "--set", "I1=1", "--set", "I3=1", "--set", "l=0", "--set", "omega=1", "--set",

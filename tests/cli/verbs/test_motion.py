@@ -134,29 +134,30 @@ def test_numbers_below_0_after_an_option(capsys):
 
 @pytest.mark.slow
 @pytest.mark.parametrize(("arguments", "why"), [
-    (["--until", "0"], "--until 0 is no end of a motion that starts at 0: give another time"),
+    (["--until", "0"], "--until 0 cannot be the last time of a motion that starts at 0: give another time"),
     (["--until", "1e400"], "give another time"),
-    (["--until", "1", "--count", "1"], "--count 1 is 1 times"),
-    (["--until", "1", "--step", "2"], "--step 2 is 1 times"),
+    (["--until", "1", "--count", "1"], "--count 1 gives 1 times"),
+    (["--until", "1", "--step", "2"], "--step 2 gives 1 times"),
     (["--until", "1", "--step", "1e-9"], "1000000001 times"),
     (["--until", "1", "--step", "-1"], "--step -1 is not positive"),
     (["--until", "1", "--step", "0"], "--step 0 is not positive"), (["--until", "soon"], "give a number"),
     (["--until", "1", "--tolerance", "0"], "--tolerance 0 is not positive"),
     (["--until", "1", "--precision", "0", "--count", "2"], "precision = 0"),
     (["--until", "1", "--precision", "20", "--output", "top.nc"],
-     "--precision 20 is for a table, top.nc holds doubles: leave it out"),
+     "--precision 20 is for a table, and top.nc holds doubles: leave it out"),
     (["--until", "1", "--precision", "20", "--set", "I2=2"], "this scene is integrated, in doubles"),
     (["--until", "1", "--set", "l1=1"],
-     "both l and l1 are given, l is the rotor along axis 3: give l, or l1, l2, l3"),
+     "both l and l1 are given, and l is the rotor along axis 3: give l, or l1, l2, l3"),
     (["--until", "1", "--set", "mass=1"], "no parameter mass"),
-    (["--until", "1", "--state", "1,2,3"], "3 numbers, the body 6 coordinates"),
+    (["--until", "1", "--state", "1,2,3"], "3 numbers, and the body has 6 coordinates"),
     (["--until", "1", "--state", "__import__('os'),0,0,0,0,1"], "cannot read"),
     (["--until", "1", "--state", "1,0,x,0,0,1"], "pi3 = x"),
     (["--until", "1", "--potential", "k1"],
-     "no number for I2, and the body has the moments (I1, I2, I3), the rotor (0, 0, l): add --set I2=…"),
-    (["--until", "1", "--potential", "a*k1 + b*k3"], "no number for I2, a, b, and the body has"),
+     "and a motion needs one for each name; the body has the moments (I1, I2, I3) and the rotor (0, 0, l): "
+     "add --set I2=…"),
+    (["--until", "1", "--potential", "a*k1 + b*k3"], "no number for I2, a, b, and a motion"),
     (["--until", "1", "--potential", "a*k1 + b*k3"], ": add --set I2=… a=… b=…"),
-    (["--until", "1", "--output", "top.txt"], "of no kind that is written: name a table, motion.csv"),
+    (["--until", "1", "--output", "top.txt"], "suffixes that are known here: name a table, motion.csv"),
     (["--until", "1", "--output", "missing/top.csv"], "cannot write")])
 def test_bad_input_exits_2(capsys, tmp_path, monkeypatch, arguments, why):
     """A clear error on stderr, nothing on stdout, nothing written."""

@@ -181,9 +181,9 @@ def test_every_kind_says_what_happens(scene):
     ({"omega": 1, "m0": 1, "foo": 1}, "l", "no parameter foo"),
     ({"omega": 1}, "l", "E3 leaves E1 needs m0: give a number"),
     ({"m0": 1, "omega": 1, "pi3_0": 1}, "l", "given were"),
-    ({"m0": 1, "l": 1}, "m0", "free is m0"), ({"m0": 1, "C1": 1}, "l", "free is l"),
+    ({"m0": 1, "l": 1}, "m0", "m0 is free"), ({"m0": 1, "C1": 1}, "l", "l is free"),
     ({"m0": 1, "omega": 1, "I1": -1}, "l", "I1 = -1, but a moment"),
-    ({"m0": 1, "omega": 1, "l": 1}, "l", "free is l"),
+    ({"m0": 1, "omega": 1, "l": 1}, "l", "l is free"),
     ({"m0": 1, "omega": 1, "k3": 0}, "l", "no parameter k3")])
 def test_what_is_asked_must_be_clear(values, name, message):
     """Unknown and missing names, a name both given and free, rate and level together: refused."""

@@ -92,11 +92,11 @@ def test_a_pair_that_is_real_at_one_value_alone_is_no_pitchfork():
 def test_what_is_refused():
     body = gs.Gyrostat((1, 2, 3), (0, 0, gs.symbol("l3")))
     cubic = gs.assemble(body, gs.general_potential(k1**3 + k2))
-    with pytest.raises(ScopeError, match="U has degree 3 in k: rotations are followed where"):
+    with pytest.raises(ScopeError, match="U has degree 3 in k: branches of rotations are computed if"):
         gs.continuation(cubic, "l3", (0, 1), {"omega": 1})
     with pytest.raises(ValuesError, match="need omega"):
         gs.continuation(PLANE, "l3", (0, 1), {})
-    with pytest.raises(ValuesError, match="l3 is free, and has the value 1 too"):
+    with pytest.raises(ValuesError, match="l3 is free, and the value 1 is given for it"):
         gs.continuation(PLANE, "l3", (0, 1), {"omega": 1, "l3": 1})
 
 

@@ -172,7 +172,7 @@ def test_a_published_example():
     assert [f"{float(x) * 19**0.5:.6f}" for x in k] == ["-1.000000", "-3.000000", "3.000000"]
     low, high, decision = next(p for p in arcs[1].pieces if p.low < Rational(-5, 2) < p.high)
     assert low == -3 and f"{float(high):.6f}" == "-2.384336" and decision.verdict.name == "STABLE"
-    assert "−3 < τ < −2.3843359" in str(arcs[1]) and r"\omega\to\infty" in gs.to_latex(arcs[1])
+    assert "−3 < τ < −2.38433…" in str(arcs[1]) and r"\omega\to\infty" in gs.to_latex(arcs[1])
 
 
 def test_what_is_refused():
@@ -180,12 +180,12 @@ def test_what_is_refused():
     with pytest.raises(ScopeError, match="the scene has none: give a potential"):
         gs.staude_cone(gs.assemble(body))
     curved = gs.staude_cone(gs.assemble(body, gs.general_potential(k1**2 + k2)))
-    with pytest.raises(ScopeError, match=r"is not c·k: the arcs are found in a uniform field"):
+    with pytest.raises(ScopeError, match=r"is not c·k, and the arcs are found in a uniform field only"):
         curved.arcs({})
     with pytest.raises(ScopeError, match="the body is free"):
         cone_of((1, 2, 3), (0, 0, 0)).arcs({})
     for inertia, c in (((2, 2, 3), (0, 0, 1)), ((1, 1, 1), (1, 2, 3))):
-        with pytest.raises(ScopeError, match="about whole circles of directions"):
+        with pytest.raises(ScopeError, match="the axes of its permanent rotations form whole circles"):
             cone_of(inertia, c).arcs({})
     scene = gs.assemble(body, gs.general_potential(gs.symbol("m0") * k1 + k2))
     with pytest.raises(ValuesError, match="needs m0"):
@@ -203,7 +203,7 @@ def test_a_sphere_with_a_rotor_is_refused():
     field = gs.general_potential(lambda k1, k2, k3: k1 + k3)
     cone = gs.staude_cone(gs.assemble(gs.Gyrostat((2, 2, 2), (1, 0, 2)), field))
     for asked in (lambda: cone.polynomial, lambda: cone.rate):
-        with pytest.raises(ScopeError, match="all moments are equal: the polynomial of the curve is 0"):
+        with pytest.raises(ScopeError, match="all moments are equal, and the polynomial of the curve is 0"):
             asked()
     assert cone.arcs({})
     assert gs.staude_cone(gs.assemble(gs.Gyrostat((2, 2, 1), (0, 0, 2)), field)).polynomial

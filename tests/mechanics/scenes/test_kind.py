@@ -39,7 +39,7 @@ def test_numbers_can_make_a_body_one_of_revolution():
 def test_every_kind_has_a_finder_or_is_refused(kind):
     """A kind that is added has to say how its relative equilibria are found."""
     if kind is Kind.COUPLED:
-        with pytest.raises(ScopeError, match="relative_equilibria is of a body in a field of one direction"):
+        with pytest.raises(ScopeError, match="relative_equilibria is for a body in a field of one direction"):
             gs.relative_equilibria(VEHICLE, {})
     else:
         assert kind in FINDERS

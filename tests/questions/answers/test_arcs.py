@@ -54,7 +54,7 @@ def test_other_fields_and_other_questions_are_answered_as_before(capsys):
     _, out, _ = decide(capsys, *AXIS, "omega=2", "--full")
     assert "arc 1" not in out and out.count("ω = 2") == 6
     status, _, err = decide(capsys, "--potential", "k1^2 + k2 + k3", *AXIS[2:])
-    assert status == 2 and "gyrostat decide finds those of a rate omega" in err
+    assert status == 2 and "decide finds those of a rate omega" in err
 
 
 def test_the_direction_in_the_data_is_that_of_the_rotation(capsys):

@@ -38,7 +38,8 @@ def test_it_is_added(capsys, scene):
 
 def test_what_is_refused(capsys, scene):
     for given, why in (
-        (["--potential", "none", *DAMPERS], "0 are given"), ([*scene(rotors=""), *DAMPERS], "0 are given"),
+        (["--potential", "none", *DAMPERS], "the scene has 0 rotors"),
+        ([*scene(rotors=""), *DAMPERS], "the scene has 0 rotors"),
         ([*scene(transverse="900 kg m^2"), *DAMPERS], "a body of revolution"),
         ([*scene(), "--platform-damping=-1"], "damping takes power"),
         ([*scene(), "--platform-damping", "import os"], "import"),

@@ -140,7 +140,7 @@ def _isolated(parts: Sequence[arb], width: float) -> list[arb] | None:
 
 
 def _untold(curve: PlaneCurve, at: Expr) -> ScopeError:
-    return ScopeError(f"at {curve.t} = {at} several branches meet, and it is not told which goes on as "
+    return ScopeError(f"at {curve.t} = {at} several branches meet, and it is not decided which continues "
                       "which: change a number a little")
 
 

@@ -175,7 +175,7 @@ class Parser(Limited):
             return self.power(inner, Rational(1, 2))
         ball, nesting = magnitudes.applied(token, inner.ball), self.nested(inner.nesting + 1)
         if token in HYPERBOLIC and ball is None and inner.cost.partial > PARTIAL:
-            self.fail(f"{token} is asked of powers or sums of functions that are not real everywhere",
+            self.fail(f"{token} is applied to powers or sums of functions that are not real everywhere",
                       f"such an argument has up to {PARTIAL} terms and degree {PARTIAL}")
         self.finite(ball)
         self.moderate(bounded_parts.factored_by(token, inner))

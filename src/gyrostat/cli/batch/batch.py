@@ -14,7 +14,7 @@ from .batch_worker import Answer, Worker
 def run(given: argparse.Namespace, out: Output) -> int:
     """Write an object for each line, in order; 0, or 2 if a line was bad."""
     if given.format != "json" and given.format is not None:
-        raise ValuesError(f"--batch writes JSON, --format is {given.format}: leave out one of the two")
+        raise ValuesError(f"--batch writes JSON, and --format is {given.format}: leave out one of the two")
     with opened(given.batch, given.output) as file, Worker(given) as worker:
         worker.start()                                 # wrong options are said before anything is written
         with Kept(given.output, given.start) as kept:

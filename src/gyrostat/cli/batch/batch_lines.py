@@ -38,7 +38,8 @@ def opened(path: str, output: str | None) -> Iterator[BinaryIO]:
         and os.path.exists(output)
         and os.path.samefile(path, output)
     ):
-        raise ValuesError(f"--batch and --output are the same file, {path}: write to another one")
+        raise ValuesError(f"--batch and --output are the same file, {path}, and it would be written while "
+                          "it is read: give --output another file")
     with contextlib.ExitStack() as stack:
         try:
             file = stack.enter_context(open(path, "rb"))
@@ -91,10 +92,12 @@ def question(line: bytes, given: argparse.Namespace,
     families = known_families()
     family = called(label, families) if isinstance(label, str) else None
     if not isinstance(potential, str | None) or label is not None and family is None:
-        raise ValuesError(f"potential = {brief(potential)}, equilibrium = {brief(label)}: a potential is a "
-                          f"text in the grammar of --potential, an equilibrium {in_words(families)}")
+        raise ValuesError(f"the line has potential = {brief(potential)} and equilibrium = {brief(label)}, of "
+                          "which one is not understood: give a potential as a text, as of --potential, and "
+                          f"the equilibrium as {in_words(families)}")
     if wrong := [name for name in own if not name_of(name)]:
-        raise ValuesError(f"{brief(wrong[0])} is not a name: write {{\"I1\": 1.6}}")
+        raise ValuesError(f"{brief(wrong[0])} is not a name, and a line gives numbers to names: write "
+                          "{\"I1\": 1.6}")
     numbers = {name_of(name): exact_number(value, name) for name, value in own.items()}
     if len(numbers) < len(own):
         raise ValuesError(f"{brief(', '.join(own))[1:-1]} gives a name twice: give it once")

@@ -32,7 +32,7 @@ def reason(error: BaseException) -> str:
     if isinstance(error, GyrostatError):
         return str(error)
     if isinstance(error, MemoryError):
-        return "there is not enough memory for it"
+        return "there is not enough memory for this line"
     return f"{internal(error, 200)}; it is a bug, please report it"
 
 
@@ -138,7 +138,7 @@ class Worker:
                         yield connection.recv()
                         continue
                     self.end()
-                    yield refusal(n, f"not within {limit:g} s")
+                    yield refusal(n, f"no answer within {limit:g} s")
                 except (EOFError, ConnectionError):    # the process is gone
                     yield refusal(n, self._gone())
                 break
@@ -149,7 +149,7 @@ class Worker:
         code = self.process.exitcode
         self.end()
         if code == -getattr(signal, "SIGALRM", 0):
-            return f"not within {self.given.timeout:g} s"
+            return f"no answer within {self.given.timeout:g} s"
         return (f"internal error, the process ended with status {code}; "
                 "there is too little memory, or it is a bug")
 

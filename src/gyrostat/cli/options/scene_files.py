@@ -31,8 +31,8 @@ def with_scene(given: argparse.Namespace) -> argparse.Namespace:
         return given
     options, table = vars(given), entries_of(scene_of_file(given.scene))
     if "orbit" in table and "orbit" not in options:
-        raise ValuesError(f"the scene {given.scene} is in orbit, and {given.kind} is of a free body: name "
-                          "another scene; of a satellite plot eigenvalues draws the spectrum, chart the "
+        raise ValuesError(f"the scene {given.scene} is in orbit, and {given.kind} shows a free body: name "
+                          "another scene; for a satellite plot eigenvalues draws the spectrum, and chart the "
                           "verdicts")
     taken = {name for name, x in options.items() if x is not None}
     if options.get("equilibrium") or options.get("point"):
@@ -74,7 +74,7 @@ def scene_of_file(place: str) -> SceneTable:
         raise PublishedError(f"{path}: has no [scene.NAME] table: write [scene.top] and below it "
                              'potential = "m0*k3"')
     if name and name not in tables:
-        raise PublishedError(f"{path}: has no scene {brief(name)[1:-1]}: its scenes are {known}")
+        raise PublishedError(f"{path}: has no scene {brief(name)[1:-1]}: name one of its scenes, {known}")
     if not name and len(tables) > 1:
         raise PublishedError(f"{path}: has several scenes, {known}: name one, --scene "
                              f"{path}#{next(iter(tables))}")

@@ -9,7 +9,7 @@ from .scene_files import scene_of_file
 
 # a unit stands after a number, and a blank or none
 _AFTER_A_NUMBER = re.compile(r"[\d.)]\s*([A-Za-z_]+)")
-_OPTIONS = ("orbit", "inertia", "gyrostatic_momentum", "point")
+_OPTIONS = ("orbit", "inertia", "gyrostatic_momentum", "point", "state", "until", "step")
 
 
 def units_given(given: argparse.Namespace) -> bool:

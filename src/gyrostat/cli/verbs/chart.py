@@ -30,11 +30,11 @@ def run(given: argparse.Namespace, out: Output) -> int:
     numbers = numbers_of(given.values)
     axes = dict(_axes([("--axis", text) for text in given.axis or ()] + [("--y", given.y), ("--x", given.x)]))
     if len(axes) > 2 and path.suffix in PICTURES:
-        raise ValuesError(f"a picture has two axes, these are {', '.join(axes)}: write the data, --output "
-                          f"{path.with_suffix('.zarr')}")
+        raise ValuesError(f"the axes are {', '.join(axes)}, and a picture has two: write data instead, "
+                          f"--output {path.with_suffix('.zarr')}")
     if (points := prod(map(len, axes.values()))) > LARGEST and path.suffix != ".zarr":
-        raise ValuesError(f"{points} points are more than the {LARGEST} that are held in memory: --output "
-                          f"{path.with_suffix('.zarr')}")
+        raise ValuesError(f"the chart has {points} points, and at most {LARGEST} are held in memory: write "
+                          f"them block by block, --output {path.with_suffix('.zarr')}")
     one_spin(names := {**numbers, **dict.fromkeys(axes)})
     report = report_for("chart", asked_of(given, names), given.equilibrium, names)
     *further, y, x = axes.items()

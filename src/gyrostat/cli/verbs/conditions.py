@@ -10,6 +10,7 @@ from ...notation import symbol
 from ...printing.blocks import Block, Display, Heading, sentence
 from ...printing.formats.article import article
 from ...printing.formats.json_data import json_text
+from ...printing.formats.si_units import unit_of
 from ...printing.formats.tables import conditions_table
 from ...printing.formats.text import text
 from ...printing.glossary import term_blocks
@@ -29,6 +30,7 @@ from ...stability.criteria.number_notes import scene_note
 from ...stability.report.report import Report
 from ..options.latex_options import paper_of
 from ..options.scene_files import asked_of, scene_of_file, with_scene
+from ..options.units_given import units_given
 from ..output import Output
 
 FEW = 25                                               # lines of the sets of --solve-for without --full
@@ -78,10 +80,12 @@ def _solve(given: argparse.Namespace, asked: Asked, labels: Sequence[str], numbe
         title = f"Values of {name} that stabilise".replace("_", r"\_")
         out(article(title, [*_sets(found), *without], paper_of(given)))
         return 0
-    said = ""
+    unit, said = unit_of(name), ""
+    scale = [sentence(symbol(name), f" is in {unit}.")] if unit and units_given(given) else []
     if not given.full:
         found, said = brief(found, lambda *shown: _shown(*shown, out.width).count("\n") <= FEW)
-    out("\n".join(filter(None, (_shown(found, said, out.width), without and text(without, out.width)))))
+    out("\n".join(filter(None, (_shown(found, said, out.width), *(
+        text(more, out.width) for more in (scale, without) if more)))))
     return 0
 
 

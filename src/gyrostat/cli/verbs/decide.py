@@ -4,6 +4,7 @@ import argparse
 from ...notation import symbol
 from ...printing.blocks import Block, Display, Heading, Word, prose, sentence
 from ...printing.formats.json_data import form_data, json_text, window_data
+from ...printing.formats.si_units import RATE
 from ...printing.formats.text import number_text, text
 from ...printing.glossary import term_blocks
 from ...printing.results.decision import damped_block, decision_blocks, note_blocks, reason_block
@@ -40,11 +41,12 @@ def run(given: argparse.Namespace, out: Output) -> int:
         if isinstance(form, Window):
             data, blocks = window_data(form), window_blocks(form)
         else:
-            data, blocks = form_data(form), form_blocks(form)
+            data, blocks = form_data(form), [*form_blocks(form), *_in_si(given)]
         out(json_text(data) if given.format == "json" else text(blocks, out.width))
         return 0
     if arcs := arcs_at(asked, given.equilibrium, numbers):
-        out(json_text(arcs_data(arcs)) if given.format == "json" else text(arcs_blocks(arcs), out.width))
+        out(json_text(arcs_data(arcs)) if given.format == "json" else text(
+            [*arcs_blocks(arcs), *_in_si(given)], out.width))
         return 0
     answers = answers_at(asked, given.equilibrium, numbers)
     if given.format == "json":
@@ -63,6 +65,11 @@ def run(given: argparse.Namespace, out: Output) -> int:
     out(text([prose(legend(found)), *([] if given.full else [sentence("Details: --full")]), *without,
               *note_blocks(note), *([*details, *term_blocks(details)] if given.full else [])], out.width))
     return 0
+
+
+def _in_si(given: argparse.Namespace) -> list[Block]:
+    """The unit of rates, if the numbers given have units."""
+    return [sentence(symbol("omega"), f" is in {RATE}.")] if units_given(given) else []
 
 
 def _blocks(answer: Answer, title: str, units: bool) -> list[Block]:

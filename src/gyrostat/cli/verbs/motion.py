@@ -27,6 +27,7 @@ from ...trajectories import Motion
 from ...trajectories.columns import columns, dataset, turns_of
 from ..options.motion_options import motion_of, times_of
 from ..options.scene_files import with_scene
+from ..options.units_given import units_given
 from ..output import FILMS, PICTURES, Output, fact, file_of, printed_look, save_picture
 
 KINDS = ("a table, motion.csv; data, motion.nc; a picture, motion.png, .pdf or .svg; "
@@ -45,7 +46,7 @@ def run(given: argparse.Namespace, out: Output) -> int:
     path = None if out.path is None else file_of(out, "motion", (".csv", ".nc", *PICTURES, *FILMS), KINDS)
     kind, digits = path.suffix if path else ".csv", given.precision
     if digits is not None and kind != ".csv":
-        raise ValuesError(f"--precision {digits} is for a table, {path} holds doubles: leave it out, or "
+        raise ValuesError(f"--precision {digits} is for a table, and {path} holds doubles: leave it out, or "
                           "write a .csv")
     times = times_of(given, {**dict.fromkeys(PICTURES, POINTS),
                              **dict.fromkeys(FILMS, FRAMES)}.get(kind, ROWS))
@@ -57,7 +58,7 @@ def run(given: argparse.Namespace, out: Output) -> int:
     else:
         drift = (_picture(moving, times, path, pointing) if kind in PICTURES
                  else _film(moving, times, path))
-    print(_summary(moving, drift, digits), end="", file=sys.stderr)
+    print(_summary(moving, drift, digits, units_given(given)), end="", file=sys.stderr)
     return 0
 
 
@@ -184,16 +185,18 @@ def _film(moving: Motion, times: Array, path: Path) -> dict[str, float]:
     return moving.drift(times)
 
 
-def _summary(moving: Motion, drift: dict[str, float], digits: int | None) -> str:
-    """What is known of the motion, a line each."""
-    period = moving.period
-    facts: dict[str, Any] = {"scene": moving.recognised or None, "route": moving.route,
-                             "period": period if digits is None or period is None
-                             else mpmath.nstr(period, digits)}
+def _summary(moving: Motion, drift: dict[str, float], digits: int | None, units: bool) -> str:
+    """What is known of the motion, a line each, with units if the numbers given have them."""
+    period, seconds, radians = moving.period, " s" * units, " rad" * units
+    facts: dict[str, Any] = {
+        "scene": moving.recognised or None, "route": moving.route,
+        "period": None if period is None else
+        f"{period if digits is None else mpmath.nstr(period, digits)}{seconds}"}
     for name, angle, rate in (("precession", moving.precession, moving.precession_rate),
                               ("spin", moving.spin, moving.spin_rate)):
-        gained, each = (rate, "per unit of time") if period is None else (angle, "in a period")
-        facts[name] = None if gained is None else f"{gained} {each}"
+        time = "per second" if units else "per unit of time"
+        gained, each = (rate, time) if period is None else (angle, "in a period")
+        facts[name] = None if gained is None else f"{gained}{radians} {each}"
     facts["error"] = f"{moving.error:.1e}, estimated" if digits is None else None
     if drift:
         worst = max(drift, key=lambda name: drift[name])

@@ -70,7 +70,7 @@ def _staude_plane(given: argparse.Namespace, numbers: Numbers, figure: Any) -> s
     if given.x is not None:
         name, *rates, _ = axis_of("--x", given.x, "NAME=LOW:HIGH")
         if name != "omega":
-            raise ValuesError(f"--x is {name}, and the picture is one over omega: write --x omega=-2:2")
+            raise ValuesError(f"--x is {name}, and this picture is drawn over omega: write --x omega=-2:2")
     plotting.draw_staude_plane(scene := _in_a_field(given, numbers), numbers, rates, figure.subplots())
     return _unusual(scene, numbers)
 
@@ -91,7 +91,8 @@ def _bifurcations(given: argparse.Namespace, numbers: Numbers, figure: Any) -> s
     name, low, high, _ = axis_of("--x", given.x, "NAME=LOW:HIGH")
     _free(name, numbers)
     if given.potential is None:
-        raise ValuesError('--potential is missing: write --potential "m0*k3", or none for a free gyrostat')
+        raise ValuesError('--potential is missing, and the equilibria depend on it: write --potential '
+                          '"m0*k3", or none for a free gyrostat')
     scene = scene_of(asked_of(given, {**numbers, name: low}))
     plotting.draw_bifurcation_diagram(scene, name, (low, high), numbers, figure.subplots())
     return _unusual(scene, numbers)
@@ -113,9 +114,8 @@ def _eigenvalues(given: argparse.Namespace, numbers: Numbers, figure: Any) -> st
 def _cones(given: argparse.Namespace, numbers: Numbers, figure: Any) -> str:
     transverse, axial = exact_number(given.transverse, "--transverse"), exact_number(given.axial, "--axial")
     if numbers.keys() != {"I1", "I3"}:
-        raise ValuesError(f"--set gives {', '.join(numbers) or 'nothing'}, the cones are those of a body "
-                          "with I1 = I2 and without a rotor: "
-                          "give I1 and I3")
+        raise ValuesError(f"--set gives {', '.join(numbers) or 'nothing'}, and the cones are those of a body "
+                          "with I1 = I2 and without a rotor: set I1 and I3, and nothing else")
     plotting.draw_cones((numbers["I1"], numbers["I3"]), transverse, axial, figure.add_subplot(**CONES))
     return _unusual(scene_of(Asked(NONE).of_body(())), {**numbers, "I2": numbers["I1"]})
 
@@ -128,19 +128,19 @@ def _unusual(scene: System, numbers: Numbers) -> str:
 def _in_a_field(given: argparse.Namespace, names: Collection[str]) -> System:
     """The scene that is given, with a field."""
     if given.orbit is not None:
-        raise ValuesError(f"{given.kind} is of a body in a field fixed in space, and --orbit {given.orbit} "
-                          "is an orbit: leave it out; of a satellite plot eigenvalues draws the spectrum, "
-                          "chart the verdicts, motion how it moves")
+        raise ValuesError(f"{given.kind} shows a body in a field fixed in space, and --orbit {given.orbit} "
+                          "is given: leave it out; for a satellite plot eigenvalues draws the spectrum, "
+                          "chart the verdicts, and motion how it moves")
     if given.potential is None or given.potential.strip() == "none":
-        raise ValuesError(f'--potential is {given.potential or "missing"}, and {given.kind} is of a field: '
-                          'write --potential "m0*k3"')
+        raise ValuesError(f'--potential is {given.potential or "missing"}, and {given.kind} shows a body in '
+                          'a field: write --potential "m0*k3"')
     return scene_of(asked_of(given, names))
 
 
 def _free(name: str, numbers: Numbers) -> None:
     """Refuse a number for what goes along the axis."""
     if name in numbers:
-        raise ValuesError(f"{name} is given twice, by --set and as the axis --x: leave out one of the two")
+        raise ValuesError(f"{name} is given by --set and is the axis --x as well: leave out one of the two")
 
 
 DRAWN: dict[str, Drawing] = {

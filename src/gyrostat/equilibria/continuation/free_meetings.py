@@ -26,9 +26,9 @@ def rotation_curve(body: Gyrostat, radius: Expr, free: Symbol) -> PlaneCurve:
         if not any(x.has(pi) for x in (*body.gyrostatic_momentum, radius)):
             raise
     rotor = ", ".join(map(str, body.gyrostatic_momentum))
-    raise ScopeError(f"l = ({rotor}) and M = {radius}: with pi in one of them only, as a rate in rpm brings "
-                     "it, where rotations meet is not found: give M as a multiple of pi too, 20*pi, or round "
-                     "the wheel to decimals")
+    raise ScopeError(f"l = ({rotor}) and M = {radius}: if only one of them contains pi (a rate in rpm does), "
+                     "the values at which rotations meet are not found; give M as a multiple of pi too, "
+                     "20*pi, or round l to decimals")
 
 
 def rotation_pencil(body: Gyrostat, radius: Expr) -> Pencil:

@@ -43,15 +43,15 @@ class HeavyBranches(PencilBranches):
         if name not in needed:
             raise ValuesError(unknown(name, sorted(needed), "the scene"))
         if name in values:
-            raise ValuesError(f"{name} is free, and has the value {values[name]} too: leave out one of the "
-                              "two")
+            raise ValuesError(f"{name} is free, and the value {values[name]} is given for it: leave out one "
+                              "of the two")
         numbers = exact_point(scene, values, needed)
         if missing := sorted(needed - values.keys() - {name}):
             raise ValuesError(f"the permanent rotations need {', '.join(missing)}: give a number for each")
         admissible(scene.body.positive, numbers, free := symbol(name), low, high)
         if (degree := degree_in_k(scene, "at a rate omega")) > 2:
-            raise ScopeError(f"U has degree {degree} in k: rotations are followed where it has degree 1 or "
-                             "2; relative_equilibria finds them at each value")
+            raise ScopeError(f"U has degree {degree} in k: branches of rotations are computed if it has "
+                             "degree 1 or 2; relative_equilibria finds the rotations at each value")
         self.scene, self.name, self.values, self.ends = scene, name, values, (low, high)
         data = data_at(scene, (S.Zero,) * 3)
         inertia, rotor, linear, curved = (Matrix(part).xreplace(numbers) for part in data)
@@ -60,8 +60,8 @@ class HeavyBranches(PencilBranches):
         above, below = self.pencil.fraction
         self.curve = PlaneCurve(above.dot(above) - below**2, SIGMA, free, ends=())
         if not self.curve.rational:
-            raise ScopeError("a number is not rational, and rotations are followed at rational numbers: "
-                             "round it to decimals")
+            raise ScopeError("a number is not rational, and branches of rotations are computed at "
+                             "rational numbers: round it to decimals")
 
     @cached_property
     def met(self) -> dict[Expr, list[Expr]]:

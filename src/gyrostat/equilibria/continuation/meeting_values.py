@@ -80,9 +80,9 @@ def bifurcation_points(scene: System, name: str, values: Mapping[str, Any]) -> l
     kinds = {frozenset({OMEGA}): AT_RATE, frozenset({symbol("pi3_0")}): "precessions leave",
              frozenset({symbol("pi3_0"), symbol("C1")}): ON_LEVEL}.get(frozenset(given))
     if kinds is None or free in numbers:
-        raise ValuesError(f"given were {', '.join(map(str, values))}, free is {name}: of omega, or pi3_0, "
-                          "or pi3_0 and C1, give each or "
-                          "leave it free, and give a number for every other name")
+        raise ValuesError(f"given were {', '.join(map(str, values))}, and {name} is free: choose omega, or "
+                          "pi3_0, or pi3_0 and C1; give a number for each of these and for every other name, "
+                          "except for the one that is free")
     found = [point for point in (_at_poles if kinds == "precessions leave"
                                  else _meetings)(scene, numbers, free, kinds)
              if positive(scene, numbers, free, point.value)]

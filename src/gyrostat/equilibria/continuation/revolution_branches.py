@@ -44,12 +44,13 @@ class RevolutionBranches:
         known = names_of(scene) | {"omega"}
         numbers, free = exact_point(scene, values, known), symbol(name)
         if name not in known or "omega" not in (name, *values):
-            raise ValuesError(f"E3 is followed at a rate about the vertical, given were {', '.join(values)}, "
-                              f"free is {name}: give omega too, or leave it free; the names are "
+            raise ValuesError("branches of E3 are computed at a rate about the vertical; given were "
+                              f"{', '.join(values)}, and {name} is free: give omega too, or leave it free; "
+                              f"the names are "
                               f"{', '.join(sorted(known))}")
         if free in numbers:
-            raise ValuesError(f"{name} is along the axis, and has the value {numbers[free]} too: leave "
-                              "out one of the two")
+            raise ValuesError(f"{name} is the parameter along the axis, and the value {numbers[free]} is "
+                              "given for it: leave out one of the two")
         admissible({*scene.body.moments[1:]} | ({free} if free.is_positive else set()), numbers, free, low,
                    high)
         self.scene, self.name, self.values = scene, name, values

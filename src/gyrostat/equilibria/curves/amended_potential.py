@@ -124,11 +124,11 @@ class AmendedPotential(Shown, Stored):
         numbers = exact_point(self.scene, values, known | {C1.name})
         if C1 not in numbers:
             raise ValuesError(f"given were {', '.join(sorted(values)) or 'no numbers'}, and the amended "
-                              "potential is another on each level of C1 = M·k: give C1")
+                              "potential depends on the level of C1 = M·k: give C1")
         if self.scene.kind is Kind.REVOLUTION or recognise(at_numbers(self.scene, numbers)):
-            raise ScopeError("the scene is a body of revolution in a field along its axis, the critical "
-                             "points are on circles: ask relative_equilibria with C1 and the momentum about "
-                             "the axis, or reduce")
+            raise ScopeError("the scene is a body of revolution in a field along its axis, so that the "
+                             "critical points are on circles: use relative_equilibria with C1 and the "
+                             "momentum about the axis, or reduce")
         return [CriticalPoint(RelativeEquilibrium(form)) for form in heavy_forms(self.scene, values)]
 
 
@@ -168,6 +168,6 @@ def amended_potential(scene: System) -> AmendedPotential:
     """
     in_one_direction(scene.potential, "amended_potential")
     if scene.potential is None:
-        raise ScopeError("the scene has no field, and the vertical no meaning: its rotations are those on a "
-                         "sphere of M; give a potential, or use relative_equilibria with M")
+        raise ScopeError("the scene has no field, and so no vertical: give a potential; the rotations of a "
+                         "free body lie on spheres of M, and relative_equilibria finds them with M")
     return AmendedPotential(scene)

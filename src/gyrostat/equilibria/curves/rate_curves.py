@@ -197,8 +197,8 @@ def rate_curves(scene: System, c: Sequence[Expr]) -> Iterator[tuple[RateCurve, S
     """
     moments, rotor = scene.body.moments, scene.body.gyrostatic_momentum
     if not all(isinstance(x, Rational) for x in (*moments, *rotor, *c)):
-        raise ScopeError(f"inertia = {moments}, l = {rotor}, c = {c}: with a rotor the arcs are found at "
-                         "rational numbers: round the others to decimals, or give one rate omega")
+        raise ScopeError(f"inertia = {moments}, l = {rotor}, c = {c}: with a rotor the arcs are found if "
+                         "all numbers are rational; round the others to decimals, or give one rate omega")
     b = tuple(x - OMEGA * y for x, y in zip(c, rotor))
     squares = {m: Add(*(y**2 for n, y in zip(moments, b) if n == m)).expand() for m in moments}
     known: dict[Expr, dict[Expr, bool]] = {S.Zero: {S.Zero: False}}            # all d_i are sigma there

@@ -71,9 +71,9 @@ class StaudeCone(Shown, Stored):
     def _refuse_sphere(self) -> None:
         """Refuse equal moments: then Ik is along k, and the polynomial is 0 for every k."""
         if all(is_identically_zero(x.expand()) for x in cross(self._vectors[0], DIRECTION)):
-            raise ScopeError("all moments are equal: the polynomial of the curve is 0 for every k and says "
-                             "nothing; the rotations are where omega l − ∇U is along k, ask for arcs, or "
-                             "relative_equilibria at a rate omega")
+            raise ScopeError("all moments are equal, and the polynomial of the curve is 0 for every k: ask "
+                             "for arcs, or use relative_equilibria at a rate omega; k is the axis of a "
+                             "rotation if omega l − ∇U is along k")
 
     @property
     def turned(self) -> bool:
@@ -129,8 +129,8 @@ class StaudeCone(Shown, Stored):
         if recognise(here):
             rotor = f", l = {here.body.gyrostatic_momentum}" if turned else ""
             raise ScopeError(f"inertia = {here.body.moments}, c = {c}{rotor}: the body is one of revolution "
-                             "in its field, and its permanent rotations are about whole circles of "
-                             "directions: ask relative_equilibria")
+                             "in its field, and the axes of its permanent rotations form whole circles: "
+                             "use relative_equilibria")
         return [Arc(*found) for found in (rate_curves(here, c) if turned else cone_curves(here, c))]
 
 
@@ -174,8 +174,8 @@ def staude_cone(scene: System) -> StaudeCone:
     """
     in_one_direction(scene.potential, "staude_cone")
     if scene.potential is None:
-        raise ScopeError("Staude's cone is of a body in a field, and the scene has none: give a potential; "
-                         "of a free body relative_equilibria finds every permanent rotation")
+        raise ScopeError("Staude's cone belongs to a body in a field, and the scene has none: give a "
+                         "potential; for a free body relative_equilibria finds every permanent rotation")
     return StaudeCone(scene)
 
 
@@ -185,8 +185,8 @@ def _linear(scene: System) -> tuple[Expr, ...]:
     assert U is not None
     c = tuple(U.value(d) if d else S.Zero for d in U.gradient())
     if not U.given or any(x.free_symbols for x in c):
-        raise ScopeError(f"U = {U.expression} is not c·k: the arcs are found in a uniform field; in another "
-                         "give a direction k1, k2, k3 to relative_equilibria")
+        raise ScopeError(f"U = {U.expression} is not c·k, and the arcs are found in a uniform field only; in "
+                         "this one give a direction k1, k2, k3 to relative_equilibria")
     return c
 
 

@@ -16,7 +16,7 @@ from ...stability.form import PRECISION, Form, Invariants
 from ...stability.notion import Notion
 from ...stability.theorems.momentum_sphere import DRIFTS, extremum
 
-ANYWHERE = settled(True, "M stays where it is: all moments are equal, and there is no rotor",
+ANYWHERE = settled(True, "M is constant in the body: all moments are equal, and there is no rotor",
                    Rung.SECOND_VARIATION)
 AT_REST = settled(True, "M = 0 is the whole orbit", Rung.WHOLE_ORBIT)
 

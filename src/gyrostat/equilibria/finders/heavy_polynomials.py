@@ -13,7 +13,7 @@ from ...mechanics.scenes.system import System
 from ...notation import symbol
 
 DIRECTION = tuple(symbol(f"k{n}") for n in (1, 2, 3))
-INSTEAD = "give a direction k1, k2, k3, of which every rate is found"
+INSTEAD = "give a direction k1, k2, k3, for which every rate is found"
 
 
 def degree_in_k(scene: System, where: str) -> int:
@@ -99,8 +99,8 @@ def _rational(f: Expr, scene: System, asked: Expr) -> Expr:
         given = [asked, *scene.body.gyrostatic_momentum, *scene.body.tensor, *numbers]
         number = next(x for x in given if not isinstance(x, Rational))
         raise ScopeError(f"{brief(number)} is not rational: on a level of C1, and in a field of degree 3 or "
-                         "more, all rotations are found at rational numbers, or those with one factor: round "
-                         f"it to decimals, {number.evalf(10)}, or {INSTEAD}")
+                         "more, all rotations are found if the numbers are rational up to a common factor; "
+                         f"round it to decimals, {number.evalf(10)}, or {INSTEAD}")
     return Add(*(x * Mul(*(k**n for k, n in zip(DIRECTION, e))) for x, e in zip(scaled, polynomial.monoms())))
 
 

@@ -30,8 +30,9 @@ def orbit_forms(scene: System, values: Mapping[str, Any]) -> list[OrbitalForm]:
     turns about it. Derived in docs/explanation/derivations/satellite.md, section 7.
     """
     if not by_gradient_alone(scene):
-        raise ScopeError("another field acts beside the gravity gradient, or a rotor is free, for which no "
-                         "complete list is proved: give an attitude, steady_motion(scene, n, r)")
+        raise ScopeError("another field acts beside the gravity gradient, or a rotor is free, and no "
+                         "complete list is proved for such a scene: give an attitude, steady_motion(scene, "
+                         "n, r)")
     needed = {s.name for s in names_of_scene(scene)}
     numbers = exact_point(scene, values, needed)
     if missing := sorted(needed - values.keys()):
@@ -50,9 +51,9 @@ def orbit_forms(scene: System, values: Mapping[str, Any]) -> list[OrbitalForm]:
         scale = S.One
     direction = [evaluate(x / scale, {}) for x in rotor]
     if not all(isinstance(x, Rational) for x in (*here.body.moments, *direction, evaluate(scale**2, {}))):
-        raise ScopeError("with a rotor along no principal axis all equilibria are found at rational moments "
-                         "and a rational l/omega0, or one square root times that, and l/omega0 is "
-                         f"({', '.join(map(str, rotor))}): round to decimals")
+        raise ScopeError("if the rotor is along no principal axis, all equilibria are found at rational "
+                         "moments and a rational l/omega0 (or one square root times that); here l/omega0 is "
+                         f"({', '.join(map(str, rotor))}): round it to decimals")
     return [*_tilted(here, direction, scale), *_principal(here, direction, scale, axis)]
 
 
@@ -61,8 +62,8 @@ def _axis_of_symmetry(moments: Sequence[Expr]) -> int | None:
     same = [i for i in range(3) if proved_sign(moments[i - 1] - moments[i - 2]) == 0]
     if len(same) == 3:
         raise ScopeError(f"the three moments are {moments[0]}, and no gravity gradient turns the satellite: "
-                         "it rests wherever l is along the normal n or against it, without a rotor in every "
-                         "attitude: steady_motion(scene, n, r) is each of these")
+                         "it rests in every attitude in which l is along the normal n or against it, and "
+                         "without a rotor in every attitude: give one, steady_motion(scene, n, r)")
     return same[0] if same else None
 
 

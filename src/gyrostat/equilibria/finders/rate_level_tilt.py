@@ -19,7 +19,7 @@ from ...stability.criteria.numbers_asked import check_names, unknown
 
 PI3, C1, LENGTH = symbol("pi3_0"), symbol("C1"), symbol("M")
 OTHERS = "relative_equilibria finds those of another body in a field"
-MARKED = "where rotations of another body in a field meet, continuation marks over a range of one name"
+MARKED = "continuation marks where rotations of another body in a field meet, over a range of one name"
 # of the motion: a rate about the vertical, a level, a tilt, a tilt on a level
 ASKED = (("omega",), ("pi3_0", "C1"), ("k3",), ("k3", "pi3_0"))
 
@@ -63,8 +63,9 @@ def refuse_as_level(scene: System, name: str) -> None:
     """
     own = {s.name for s in names_of_scene(scene)}
     if name in own:
-        raise ScopeError(f"the scene has a parameter {name}, and here {what_they_are([name])}, is asked for: "
-                         f"write another letter for the parameter, such as {free_letters([name], own)[name]}")
+        raise ScopeError(f"the scene has a parameter {name}, and here {what_they_are([name])}, must be "
+                         "given: write another letter for the parameter, such as "
+                         f"{free_letters([name], own)[name]}")
 
 
 def exact_point(scene: System, values: Mapping[str, Any], known: set[str]) -> Point:
@@ -150,7 +151,8 @@ def numbers_of_rotations(scene: System, values: Mapping[str, Any], free: str | N
         raise ValuesError(unknown(free, sorted(needed), "the scene"))
     numbers = exact_point(scene, values, needed)
     if free is not None and free in values:
-        raise ValuesError(f"{free} is free, and has the value {values[free]} too: leave out one of the two")
+        raise ValuesError(f"{free} is free, and the value {values[free]} is given for it: leave out one of "
+                          "the two")
     if missing := sorted(needed - values.keys() - {free}):
         raise ValuesError(f"the permanent rotations need {', '.join(missing)}: give a number for each; M is "
                           "the length of the angular momentum Iω + l")

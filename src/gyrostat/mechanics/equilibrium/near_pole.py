@@ -157,7 +157,7 @@ def refuse_rough(label: str, potential: Potential | None, near: NearPole | None,
         what has to be positive for U to be smooth
     """
     if near is not None and near.root is not None:
-        raise EquilibriumError(f"{label} is out of reach: U goes there with the power {near.root} of "
+        raise EquilibriumError(f"{label} cannot be analysed: U changes near it as the power {near.root} of "
                                f"{1 - near.side * K3}, and on the sphere it has " + (
                                    "no slope: that is no equilibrium" if 2 * near.root <= 1 else
                                    "one derivative, not two: there is no second variation")
@@ -166,17 +166,18 @@ def refuse_rough(label: str, potential: Potential | None, near: NearPole | None,
         powers = set() if potential is None else potential.expression.atoms(Pow)
         names = sorted({s.name for power in powers for s in power.exp.free_symbols - {K3}})
         if names and value.has(S.ComplexInfinity):
-            raise EquilibriumError(f"{label} is out of reach: U has 0 there to a power with "
-                                   f"{', '.join(names)} in it: put numbers into U first, in Python "
-                                   f"U.subs({names[0]}, 2)")
+            raise EquilibriumError(f"{label} cannot be analysed: U contains near it a power of 0 whose "
+                                   f"exponent has {', '.join(names)} in it; put numbers into U first, in "
+                                   f"Python U.subs({names[0]}, 2)")
         if value.is_finite is False or value.is_real is False or value.has(S.NaN):
-            raise EquilibriumError(f"{label} is out of reach: U or one of its derivatives is {shown(value)} "
-                                   "there, not a finite real number; choose another point, or another U")
+            raise EquilibriumError(f"{label} cannot be analysed: U or one of its derivatives is "
+                                   f"{shown(value)} there, not a finite real number; choose another point, "
+                                   "or another U")
     for argument in positive:
         if not argument.free_symbols and sign(argument, {}) != 1:
-            raise EquilibriumError(f"{label} is out of reach: U is not known to be smooth there, the "
-                                   "argument of a root, logarithm or inverse function is not proved to be "
-                                   f"inside its range, {argument} > 0; choose another point or numbers")
+            raise EquilibriumError(f"{label} cannot be analysed: U is not known to be smooth there, because "
+                                   "the argument of a root, logarithm or inverse function is not proved to "
+                                   f"be inside its range, {argument} > 0; choose another point or numbers")
 
 
 def _vanishes(argument: Expr, side: int) -> bool:

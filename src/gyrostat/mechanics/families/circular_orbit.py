@@ -127,7 +127,8 @@ def _rate(rate: Any, mu: Any, radius: Any) -> Expr:
             raise PotentialError(f"{name} = {shown(value)}: the {name} of a circular orbit is positive; give "
                                  "a positive number")
     if ("mu" in given) != ("radius" in given):
-        raise PotentialError(f"{', '.join(given)}: an orbit has a rate, or mu and radius; give both of these")
+        raise PotentialError(f"{', '.join(given)} is given alone: an orbit has a rate, or mu and radius; "
+                             "give mu and radius")
     if "mu" not in given:
         return given.get("rate", RATE)
     found = sqrt(given["mu"] / given["radius"] ** 3)
@@ -196,10 +197,10 @@ def _check_rotor(scene: System, t: ImmutableMatrix, n: ImmutableMatrix, r: Immut
     left = [f"{name} = {shown(x)}" for name, x in torques.items() if is_identically_zero(x) is False]
     if left:
         raise EquilibriumError(f"Earth-pointing is not an equilibrium of this body: {', '.join(left)}, and "
-                               "each has to be 0: in principal axes a rotor lies along the one that pitches, "
-                               "0, l, 0 where that is the second. In Python earth_pointing_gyrostat(body, "
-                               "orbit) gives the rotor that holds it, or the angle by which to turn the body "
-                               "first")
+                               "each must be 0. In principal axes the rotor must lie along the axis of "
+                               "pitch, 0, l, 0 if that is axis 2. In Python earth_pointing_gyrostat(body, "
+                               "orbit) gives the rotor with which the body rests so, or the angle by which "
+                               "to turn the body first")
 
 
 def axes_of(roll: int, pitch: int, yaw: int) -> list[list[int]]:

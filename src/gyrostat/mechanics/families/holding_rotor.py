@@ -57,8 +57,9 @@ def earth_pointing_gyrostat(body: Gyrostat, orbit: CoupledPotential, roll: int =
     """
     scene = assemble(body, orbit)
     if not by_gradient_alone(scene):
-        raise ScopeError("earth_pointing_gyrostat is of a satellite in the gravity gradient of a "
-                         "circular orbit, without another field or a free rotor: give circular_orbit()")
+        raise ScopeError("earth_pointing_gyrostat is for a satellite in the gravity gradient of a "
+                         "circular orbit, without another field and without a free rotor: give "
+                         "circular_orbit()")
     t, n, r = map(ImmutableMatrix, axes_of(roll, pitch, yaw))
     I, rate = body.tensor, orbital_rate(scene)
     product = t.dot(I * r)
@@ -66,8 +67,8 @@ def earth_pointing_gyrostat(body: Gyrostat, orbit: CoupledPotential, roll: int =
         apart = lowest_terms(t.dot(I * t) - r.dot(I * r))
         raise EquilibriumError(
             f"t·Ir = {shown(product)}, the product of inertia of the axes of roll and yaw: the torque of the "
-            "gravity gradient about the normal is 3 ω0² t·Ir, and no rotor holds it. Turn the body about the "
-            "normal until t·Ir = 0: t goes towards r by φ, tan 2φ = 2 t·Ir/(t·It − r·Ir), here "
+            "gravity gradient about the normal is 3 ω0² t·Ir, and no rotor balances it. Turn the body about "
+            "the normal until t·Ir = 0: t goes towards r by φ, tan 2φ = 2 t·Ir/(t·It − r·Ir), here "
             f"{shown(2 * product)} over {shown(apart)}")
     kept = n.dot(ImmutableMatrix(body.gyrostatic_momentum))
     rotor = -rate * t.dot(I * n) * t + kept * n - 4 * rate * r.dot(I * n) * r

@@ -78,8 +78,8 @@ def permanent_rotation(scene: System, direction: Sequence[Any] | None = None) ->
         raise ScopeError("permanent_rotation is for a body in a field U(k1, k2, k3), this scene has "
                          f"{given}: use {instead}")
     if scene.integrals and direction is None:
-        raise ScopeError(f"the scene has the integral {scene.integrals[0]}, and its rotations "
-                         "go with a turn: give a direction, or use inclined")
+        raise ScopeError(f"the scene has the integral {scene.integrals[0]}, whose flow carries "
+                         "each rotation into others: give a direction, or use inclined")
     k = scene.space.coordinates[3:] if direction is None else _given(direction)
     _names_apart(scene, k)
     along, rotor = scene.body.tensor * Matrix(k), scene.body.gyrostatic_momentum
@@ -90,7 +90,7 @@ def permanent_rotation(scene: System, direction: Sequence[Any] | None = None) ->
     eliminated = tuple(name.name for name, _ in relations if not (U.given and jet(name.name)))
     if not eliminated:
         raise EquilibriumError(f"U = {U.expression} has no parameter that ∇U(k) determines: there is no "
-                               "family; relative_equilibria finds the rotations at numbers")
+                               "family; relative_equilibria finds the rotations at given numbers")
     return Equilibrium(PERMANENT.label, scene, (*(OMEGA * a for a in along), *k), tuple(relations),
                        tuple(domain), eliminated)
 

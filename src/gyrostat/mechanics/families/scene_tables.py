@@ -54,8 +54,8 @@ class SceneTable:
         if {"rotors", "gyrostatic_momentum"} <= self.table.keys():
             raise PublishedError("rotors and gyrostatic_momentum are both given: leave out one of the two")
         if ("rotors" in self.table) != ("lumped" in self.table):
-            raise PublishedError("rotors and lumped go together: write lumped = true where the inertia "
-                                 "includes that of the rotors, lumped = false where it does not")
+            raise PublishedError("rotors and lumped must both be given: write lumped = true if the "
+                                 "inertia includes that of the rotors, lumped = false if it does not")
 
     def entry(self, name: str, value: Any) -> Any:
         """Return what is kept of an entry of the file, its numbers as texts."""

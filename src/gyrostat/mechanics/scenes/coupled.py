@@ -160,7 +160,7 @@ def in_one_direction(potential: Potential | None, what: str) -> None:
     if isinstance(potential, CoupledPotential):
         has = (f"the directions {' and '.join(potential.directions)}" if len(potential.directions) > 1
                else f"a coupling β = ({', '.join(map(str, potential.drift))})")
-        raise ScopeError(f"{what} is of a body in a field of one direction without coupling, and the scene "
+        raise ScopeError(f"{what} is for a body in a field of one direction without coupling, and the scene "
                          f"has {has}: use its equilibria with analyze, spectrum, stabilizing_set and charts, "
                          "and its motion")
 

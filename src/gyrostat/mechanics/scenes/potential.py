@@ -37,7 +37,7 @@ def expression_of(given: Any, variables: Sequence[Symbol]) -> Any:
         try:
             given = given(*variables)
         except (ArithmeticError, AttributeError, LookupError, TypeError, ValueError) as error:
-            raise PotentialError(f"U = {brief(given)} cannot be asked at the symbols {names} "
+            raise PotentialError(f"U = {brief(given)} cannot be evaluated at the symbols {names} "
                                  f"({brief(str(error))}): "
                                  "give an expression, or a function that makes one, with sympy.cos for "
                                  "numpy.cos") from error
@@ -153,8 +153,8 @@ class Potential(Shown, Stored):
         known |= {s: ball for s, x in numbers.items() if s not in known
                   and (ball := enclosure(x)) is not None}
         if (function := immoderate(self.expression, known)) is not None:
-            raise ValuesError(f"{function} in U is asked at a number of more than {BITS} bits there: give "
-                              "smaller numbers")
+            raise ValuesError(f"{function} in U would be evaluated at a number of more than {BITS} bits: "
+                              "give smaller numbers")
 
     @cached_property
     def _asks(self) -> bool:

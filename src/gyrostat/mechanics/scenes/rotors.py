@@ -67,7 +67,7 @@ class Rotor:
         for name in ("axial", "transverse"):
             value = getattr(self, name)
             if value is not None and not value.free_symbols and proved_sign(value) == -1:
-                raise BodyError(f"{name} = {given[name]}: no moment of inertia is negative: give a "
+                raise BodyError(f"{name} = {given[name]}, and no moment of inertia is negative: give a "
                                 "positive one")
         if self.rate is not None and self.momentum is not None:
             raise BodyError("rate and momentum of a rotor are both given: rate is that of a driven rotor, "
@@ -132,7 +132,7 @@ def gyrostat_with_rotors(inertia: Sequence[Any], rotors: Sequence[Rotor], *, lum
     for n, rotor in enumerate(rotors, 1):
         if not lumped and rotor.transverse is None:
             raise BodyError(f"rotor {n} has no transverse moment of inertia, and the tensor is without the "
-                            "rotors: give it, or lumped=True where the tensor includes them")
+                            "rotors: give it, or lumped=True if the tensor includes them")
         if not lumped:
             total += rotor.transverse * (eye(3) - rotor.along) + rotor.axial * rotor.along
         l = [x + y for x, y in zip(l, rotor.gyrostatic_momentum)]
@@ -141,7 +141,7 @@ def gyrostat_with_rotors(inertia: Sequence[Any], rotors: Sequence[Rotor], *, lum
         left = left - rotor.axial * rotor.along
     if not all(m.free_symbols or proved_sign(m) == 1 for m in leading_minors(left)):
         raise BodyError("the rotors have more inertia about their axes than the body with them: check their "
-                        "units, or say lumped=False where the tensor is without them")
+                        "units, or give lumped=False if the tensor is without them")
     for rotor in rotors:
         total = total - rotor.axial * rotor.along if rotor.momentum is not None else total
     return Gyrostat(total.applyfunc(lowest).tolist(), [lowest(x) for x in l])

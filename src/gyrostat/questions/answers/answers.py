@@ -87,7 +87,7 @@ def answers_at(asked: Asked, label: str | None, numbers: Mapping[str, Expr]) -> 
     own = {s.name for s in names_of_scene(scene)}
     if not wanted and "omega" in numbers and {"pi3_0", "omega3_0", "C1"} & numbers.keys() - own:
         raise ValuesError("omega and a momentum are both given: give omega, or pi3_0 and C1, or k3 and "
-                          "pi3_0; or name the --equilibrium")
+                          "pi3_0; or name the equilibrium")
     if wanted == (E3.label,) and asked.eliminate is None and scene.kind is Kind.REVOLUTION:
         return _tilted(asked, numbers)
     if wanted:
@@ -105,8 +105,8 @@ def normal_form_of(asked: Asked, label: str | None, numbers: Mapping[str, Expr],
     """Of the equilibrium that is named, or of the point; of degree 4, D4 in names that have no number."""
     wanted = named(asked, label and [label])
     if not wanted:
-        raise ValuesError(f"--normal-form {degree} is of one equilibrium: name it by --equilibrium or "
-                          "--point")
+        raise ValuesError(f"a normal form of degree {degree} is that of one equilibrium, and none is named: "
+                          "name it, or give its point")
     report = report_at(asked, wanted[0], numbers)
     if degree == 4 and not numbers.keys() >= set(report.compared):
         return report.window(numbers)

@@ -18,9 +18,9 @@ def sink_of(scene: SceneTable | None, dampings: tuple[str | None, str | None],
     """Of the one rotor of a scene, about its axis, at numbers."""
     rotors = () if scene is None else scene.rotors
     if scene is None or len(rotors) != 1:
-        raise ValuesError("--platform-damping and --rotor-damping are of a platform and one rotor, and "
-                          f"{len(rotors)} are given: name a --scene with rotors = [{{ axis = …, axial = … "
-                          "}]")
+        raise ValuesError("the energy-sink condition is that of a platform and one rotor, and the scene has "
+                          f"{len(rotors)} rotors: name a scene of a file with rotors = [{{ axis = …, "
+                          "axial = … }]")
     (rotor,) = rotors
     along = [n for n, x in enumerate(rotor.axis, 1) if x != 0]
     if len(along) != 1:

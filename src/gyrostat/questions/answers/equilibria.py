@@ -45,18 +45,18 @@ def labels_of(asked: Asked, given: Sequence[str] | None,
         return (PRINCIPAL[2].label,), []
     held, decide = [], ""
     if scene.kind is Kind.ORBIT:
-        decide = "; gyrostat decide finds all, where every name has a number"
+        decide = "; decide finds all if every name has a number"
     elif scene.kind is Kind.FREE:
-        decide = "; gyrostat decide finds all, where every name and M have a number"
+        decide = "; decide finds all if every name and M have a number"
     elif not scene.unspecified:
-        decide = ("; gyrostat decide finds those of a rate omega, a level C1 or a direction k1, k2, k3, "
-                  "where every name has a number")
+        decide = ("; decide finds those of a rate omega, a level C1 or a direction k1, k2, k3 if every name "
+                  "has a number")
     for family in likely(scene):
         with contextlib.suppress(EquilibriumError):
             held.append(report_at(asked, family.label, numbers).equilibrium.label)
     others = "Other equilibria" if held else "Equilibria"
-    return held, [Missing(others, f"{others} of this scene are not looked for: name one, {by_point(scene)}, "
-                          f"in numbers or expressions{decide}")]
+    return held, [Missing(others, f"{others} of this scene are not looked for: give {by_point(scene)}, in "
+                          f"numbers or expressions{decide}")]
 
 
 def some(labels: Sequence[str], missing: Sequence["Missing"]) -> None:
@@ -99,10 +99,10 @@ def _equilibrium(asked: Asked, label: str, spin: str, known: Mapping[Symbol, Exp
 
 
 def _point(asked: Asked) -> tuple[Expr, ...]:
-    """The point of --point; () where it is left out."""
+    """The point that is given; () if none is."""
     if asked.point is None:
         return ()
-    return tuple(map(parse, one_for_each("--point", asked.point, scene_of(asked))))
+    return tuple(map(parse, one_for_each("the point", asked.point, scene_of(asked))))
 
 
 @dataclass(frozen=True)
@@ -152,14 +152,14 @@ def report_for(what: str, asked: Asked, given: str | None, numbers: Names) -> Re
     scene = scene_of(asked)
     wanted, missing = labels_of(asked, given and [given], numbers)
     if not named(asked, given and [given]) and (scene.kind not in (Kind.FREE, Kind.ORBIT) or len(wanted) > 1):
-        raise ValuesError(f"--equilibrium is missing, a {what} is of one: name {labels_in_words(scene)}, or "
-                          f"a point, {by_point(scene)}")
+        raise ValuesError(f"no equilibrium is named, and a {what} shows one: name "
+                          f"{labels_in_words(scene)}, or give {by_point(scene)}")
     some(wanted, missing)
     (report, *_), _ = reports_of(asked, wanted, numbers)
     eq = report.equilibrium
     if "l" in eq.eliminated and "l" in numbers and "k3" not in numbers:
         raise ValuesError("E3 may have several tilts k3 at one l and omega, and a "
-                          f"{what} is of one: give k3 in place of l = {dict(eq.relations)[symbol('l')]}")
+                          f"{what} shows one: give k3 instead of l = {dict(eq.relations)[symbol('l')]}")
     return report
 
 
@@ -171,7 +171,7 @@ def _tilted(asked: Asked, numbers: Names) -> list[Report]:
     scene = scene_of(asked)
     if scene.kind is not Kind.REVOLUTION:
         raise ValuesError("E3 is a family of bodies of revolution in U(k3), and this scene is none of them: "
-                          f"name a point of it, {by_point(scene)}")
+                          f"give {by_point(scene)}")
     if scene.potential and scene.potential.given and asked.eliminate is None:
         free = [name for name in ("k3", *map(str, scene.potential.parameters)) if name not in numbers]
         for name in free if "l" in numbers else ():
@@ -197,7 +197,7 @@ def enough(reports: Sequence[Report], numbers: Mapping[str, Expr]) -> list[bool]
     missing = [[name for name in report.compared if name not in numbers] for report in reports]
     if all(missing):
         wanted = "; ".join(f"{r.equilibrium.label}: {', '.join(names)}" for r, names in zip(reports, missing))
-        raise ValuesError(f"these numbers are not enough for a verdict, set also, for {wanted}" + (
+        raise ValuesError(f"these numbers are not enough for a verdict: set also, for {wanted}" + (
             " (or omega3_0 in place of pi3_0)" if "pi3_0" in wanted else ""))
     return [not names for names in missing]
 

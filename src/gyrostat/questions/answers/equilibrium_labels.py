@@ -15,15 +15,15 @@ from ...mechanics.scenes.kind import Kind
 from ...mechanics.scenes.system import System
 from ..scene_texts import Asked, scene_of
 
-CLAIMED = "E"                                          # of the point of --point
+CLAIMED = "E"                                          # of an equilibrium that is given by its point
 
 
 def named(asked: Asked, given: Sequence[str] | None) -> tuple[str, ...]:
-    """The labels of --equilibrium in the order given, or that of --point; none where both are left out."""
+    """The labels of the equilibria that are named, in that order, or that of the point; else none."""
     if asked.point is not None:
         if given:
-            raise ValuesError(f"--point and --equilibrium {given[0]} are both given: leave out one of the "
-                              "two")
+            raise ValuesError(f"a point and the equilibrium {given[0]} are both given, and one is decided: "
+                              "leave out one of the two")
         return (CLAIMED,)
     scene, known = scene_of(asked), {f.asked_for: f for f in FAMILIES.values()}
     for text in given or ():
@@ -31,22 +31,22 @@ def named(asked: Asked, given: Sequence[str] | None) -> tuple[str, ...]:
         if scene.kind in family.kinds:
             continue
         if Kind.ORBIT in family.kinds:
-            raise ValuesError(f"--equilibrium {text} is of a satellite in orbit, and this body is in none: "
-                              "add --orbit omega0")
+            raise ValuesError(f"the equilibrium {text} is one of a satellite in orbit, and this body is in "
+                              "no orbit: give an orbit, for example omega0")
         if scene.kind is Kind.FREE:
-            raise ValuesError(f"--equilibrium {text} needs a field, --potential none has none: leave out one "
-                              "of the two")
+            raise ValuesError(f"the equilibrium {text} is one in a field, and this body is free: give a "
+                              f"potential, or name {labels_in_words(scene)}")
         what = "a free body" if Kind.FREE in family.kinds else "a body in a field fixed in space"
-        lies = (f"--orbit {asked.orbit} is an orbit" if scene.kind is Kind.ORBIT
-                else f"--potential {asked.potential} is a field")
-        raise ValuesError(f"--equilibrium {text} is of {what}, {lies}: name {labels_in_words(scene)}, or a "
-                          f"point, {by_point(scene)}")
+        lies = (f"in the orbit {asked.orbit}" if scene.kind is Kind.ORBIT
+                else f"in the field {asked.potential}")
+        raise ValuesError(f"the equilibrium {text} is one of {what}, and this body is {lies}: name "
+                          f"{labels_in_words(scene)}, or give {by_point(scene)}")
     return tuple(dict.fromkeys(known[text].label for text in given or ()))
 
 
 def by_point(scene: System) -> str:
-    """The option that names an equilibrium of a scene by its coordinates."""
-    return f"--point {','.join(str(x).upper() for x in scene.space.coordinates)}"
+    """How an equilibrium of a scene is given by its coordinates."""
+    return f"its point {','.join(str(x).upper() for x in scene.space.coordinates)}"
 
 
 def labels() -> tuple[str, ...]:
