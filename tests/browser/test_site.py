@@ -55,7 +55,8 @@ def test_pages_can_be_used_by_everybody(site, browser, scheme):
         opened(tab, f"{site}/{name}", 1280)
         tab.wait_for_load_state("networkidle")
         if name.startswith("try/"):
-            tab.wait_for_selector("body[aria-busy=false] .badge")
+            tab.wait_for_selector("body:not(:has([aria-busy=true])):has(.badge) #state:not(:empty)")
+            tab.wait_for_timeout(500)                      # what was pale becomes dark in a quarter of a second
         said += [f"{name}: {each['help']}: {node['html'][:200]}"
                  for each in Axe().run(tab).response["violations"] for node in each["nodes"]]
     tab.close()

@@ -37,10 +37,10 @@ def alone(name):
 
 
 def test_every_output_is_compared():
-    """Below its command, but for two refusals."""
+    """Below its command, but for three refusals."""
     outputs = [output for page in PAGES for output in OUTPUT.findall(page.read_text(encoding="utf-8"))]
     assert len(outputs) == len(CASES) + len(alone("large-stores.md")) + len(alone("check-a-paper.md"))
-    assert len(outputs) == len(CASES) + 2
+    assert len(outputs) == len(CASES) + 3
 
 
 def test_a_store_of_another_chart_is_refused_as_its_page_says(capsys, tmp_path, monkeypatch):
@@ -71,4 +71,23 @@ def test_a_letter_of_two_meanings_is_refused_as_its_page_says(capsys, tmp_path, 
         kind = "identity"
         scene = "top" """)
     status, _, err = run(capsys, "my_paper.toml", verb="verify")
-    assert status == 2 and [err] == alone("check-a-paper.md")
+    assert status == 2 and err == alone("check-a-paper.md")[1]
+
+
+def test_unknown_names_are_refused_as_their_page_says(capsys, tmp_path, monkeypatch):
+    """Two in the condition of the page, one of them in another statement; the page has the first lines."""
+    monkeypatch.setenv("COLUMNS", "76")
+    monkeypatch.chdir(tmp_path)
+    page = (ROOT / "docs/how-to/check-a-paper.md").read_text(encoding="utf-8")
+    (paper,) = (text for name, text in FILE.findall(page) if name == "my_paper.toml")
+    wrong = paper.replace("omega3_0)", "omega_30)").replace("2*I1*m0", "2*I1*mass")
+    Path("my_paper.toml").write_text(wrong + """
+        [[formula]]
+        key = "slow"
+        where = "eq. (6)"
+        quantity = "q"
+        printed = "mass**2"
+        kind = "identity"
+        scene = "top" """)
+    status, _, err = run(capsys, "my_paper.toml", verb="verify")
+    assert status == 2 and err.startswith(alone("check-a-paper.md")[0].removesuffix("⋮\n"))

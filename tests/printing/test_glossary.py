@@ -20,10 +20,15 @@ TERMS = [term for terms in glossary().values() for term in terms]
 TITLES = {"stability": "Stability, and what decides", "motion": "The body, its equilibria and their curves"}
 TOP = """# Glossary
 
-What the words mean that reports, messages and pages use: each term in two sentences, with its formula
+This page says what the words of reports, messages and pages mean. Each term has two sentences, its formula
 and its source. Signs and symbols are in [conventions](../explanation/conventions.md), the names of
 parameters in [names](names.md).
 """
+
+
+# what stands in meanings, which reports print as text, and as a formula on the page
+SYMBOLS = {"π = Iω": r"\pi = I\omega", "J₁, J₂": "J_1, J_2", "C₁": "C_1", "k₃": "k_3", "σ": r"\sigma",
+           "ω": r"\omega", "τ": r"\tau", "ρ": r"\rho", "D4": "D_4", r"\bk\b": "k", r"\bF\b": "F"}
 
 
 def anchor(name):
@@ -34,7 +39,9 @@ def anchor(name):
 def part(term):
     """A term as a part of the page."""
     source = "A word of this library" if term.source == "own" else f"Source: {term.source}"
-    return (f"### {term.name[0].upper()}{term.name[1:]}\n\n{term.meaning} {' '.join(term.more.split())}\n\n"
+    name = term.name[0].upper() + term.name[1:] if term.name.isascii() else term.name
+    meaning = re.sub("|".join(SYMBOLS), lambda found: f"${SYMBOLS.get(found[0], found[0])}$", term.meaning)
+    return (f"### {name}\n\n{meaning} {' '.join(term.more.split())}\n\n"
             f"$$\n{term.formula}\n$$\n\n{' '.join(source.split())}.\n")
 
 

@@ -60,12 +60,12 @@ FORMULA = ('[[formula]]\nkey = "a"\nwhere = "(1)"\nquantity = "p"\nprinted = "{}
     (GOOD + "[scene.b]\nmass = 1\n", "scene.b: a scene has no entry mass"),
     (GOOD + '[[formula]]\nkey = "a"\n', "a: lacks where"),
     (GOOD + FORMULA.format("p") + "colour = 1\n", "unknown entry colour"),
-    (GOOD + FORMULA.format("p").replace('"p"', "1", 1), "is a int"),
+    (GOOD + FORMULA.format("p").replace('"p"', "1", 1), "quantity = 1 is an int"),
     (GOOD + FORMULA.format("p").replace("identity", "guess"), "kind = 'guess'"),
     (GOOD + FORMULA.format("p") * 2, "occur twice"),
     (GOOD + FORMULA.format("p").replace('"top"', '"bottom"'), "scene = 'bottom'"),
     (GOOD + FORMULA.format("p*"), "a: cannot read"),
-    (GOOD + FORMULA.format("mass"), "a: cannot read 'mass': mass is not a name of this scene"),
+    (GOOD + FORMULA.format("mass"), "unknown names: mass in a: a statement has"),
     (GOOD + FORMULA.format("vector_k"), "a: printed is a 3×1 matrix, the quantity a number"),
     (GOOD + FORMULA.format("p > 0").replace("identity", "condition"), "a condition is necessary for"),
     (GOOD + FORMULA.format("p").replace("identity", "statement"), "a statement is about"),
@@ -78,7 +78,7 @@ FORMULA = ('[[formula]]\nkey = "a"\nwhere = "(1)"\nquantity = "p"\nprinted = "{}
     ("scene = 5\n" + GOOD.split("[scene")[0], "\\[scene.NAME"),
     (GOOD + FORMULA.format("p").replace("[[formula]]", "[formula]"), "\\[\\[formula\\]\\]"),
     (GOOD + "[expected]\nmisprint = 'a'", "lists of keys"),
-    (GOOD + FORMULA.format("p") + 'at = { zz = "1" }\n', "at gives zz"),
+    (GOOD + FORMULA.format("p") + 'at = { zz = "1" }\n', "unknown names: zz in a"),
     (GOOD + FORMULA.format("p") + 'at = { I1 = "2*m0", m0 = "1" }\n', "at gives I1 by m0, and m0 too"),
     (GOOD + FORMULA.format("p") + 'at = { I1 = "0" }\n', "are positive"),
     (GOOD + FORMULA.format("p") + 'given = "m0 >= 0"\n', "write > or <"),
@@ -100,6 +100,24 @@ def test_bad_files(tmp_path, text, why):
     with pytest.raises(PublishedError, match=why) as error:
         check([path])
     assert str(path) in str(error.value)
+
+
+def test_all_faults_of_a_file_are_named_at_once(tmp_path):
+    """Those of scenes and formulas, several of one formula; of very many the first twenty."""
+    faulty = FORMULA.format("p").replace("identity", "guess").replace('where = "(1)"\n', "")
+    path = written(tmp_path, GOOD + "[scene.b]\nmass = 1\n" + faulty + "colour = 1\n"
+                   + faulty.replace('"a"', '"z"').replace('"top"', '"bottom"'))
+    with pytest.raises(PublishedError) as error:
+        load(path)
+    said = str(error.value)
+    assert said.startswith(f"{path}: scene.b: a scene has no entry mass") and said.count(str(path)) == 1
+    for fault in ("a: lacks where:", "a: has the unknown entry colour:", "a: kind = 'guess':",
+                  "z: lacks where:", "z: kind = 'guess':",
+                  "z: scene = 'bottom' is not in the file: its scenes are top, b"):
+        assert f"; {fault}" in said
+    with pytest.raises(PublishedError, match="; and 5 more$") as error:
+        load(written(tmp_path, GOOD + 25 * FORMULA.format("p").replace("identity", "guess")))
+    assert str(error.value).count("kind = ") == 20
 
 
 def test_no_such_source(tmp_path):

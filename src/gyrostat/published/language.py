@@ -1,6 +1,6 @@
 """The formulas of published files: the whitelist grammar with vectors and functions of the motion."""
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Container, Mapping, Sequence
 from functools import reduce
 from operator import add
 from typing import Any
@@ -142,6 +142,22 @@ def read(printed: Any, names: Mapping[str, Any]) -> Any:
                                   f"{[len(r) for r in rows]}: rows have one length")
         return ImmutableMatrix(rows)
     return part_of(printed, names).value
+
+
+def unknown_names(text: str, known: Container[str]) -> list[str]:
+    """The names in a text that are neither known nor functions of the grammar; none if it has no tokens.
+
+    Examples
+    --------
+    >>> unknown_names("sqrt(a) + mass*b", {"a", "b"})
+    ['mass']
+    """
+    try:
+        tokens = Formula(text, {}).tokens
+    except ExpressionError:                                # it is refused when it is read
+        return []
+    return [token for kind, token in tokens
+            if kind == "name" and token not in known and token not in FUNCTIONS]
 
 
 def part_of(printed: Any, names: Mapping[str, Any]) -> Part:

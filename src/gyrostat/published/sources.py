@@ -1,6 +1,6 @@
 """Files of published formulas: read, exactly as printed, and checked for their format."""
 from collections import Counter
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from functools import cache
@@ -11,7 +11,7 @@ from typing import Any
 
 from ..algebra.text.inputs import is_name, toml_of
 from ..arguments import checked
-from ..errors import GyrostatError, PublishedError, brief
+from ..errors import GyrostatError, PublishedError, article, brief
 from ..mechanics.families.scene_tables import scene_tables
 from .scenes import Scene
 from .statements import KINDS, Statement
@@ -22,8 +22,8 @@ MOST = 40                                              # abbreviations, values o
 _REQUIRED = ("key", "where", "quantity", "printed", "kind")
 _OPTIONAL: Mapping[str, Any] = {"scene": str, "note": str, "let": dict, "at": dict, "given": str,
                                 "constants": list, "corrected": (str, list)}
-_COMPUTING = (ArithmeticError, AttributeError, LookupError, NotImplementedError, RecursionError, TypeError,
-              ValueError)
+COMPUTING = (ArithmeticError, AttributeError, LookupError, NotImplementedError, RecursionError, TypeError,
+             ValueError)
 
 
 @dataclass(frozen=True)
@@ -112,10 +112,18 @@ def _read(path: Path | Traversable, expected: Mapping[str, Any] | None) -> Sourc
     ):
         raise PublishedError(f"{path}: formulas are [[formula]] tables, and what is expected one "
                              "[expected] table: see docs/reference/published.md")
-    scenes = {"": Scene()}
+    scenes, faults = {"": Scene()}, list[str]()
     for name, entries in tables.items():
-        with _at(path, f"scene.{name}"):
-            scenes[name] = Scene(entries)
+        try:
+            with _at(path, f"scene.{name}"):
+                scenes[name] = Scene(entries)
+        except PublishedError as error:
+            faults.append(str(error).removeprefix(f"{path}: "))
+    for entry in listed:
+        key = brief(str(entry.get("key", "a formula without a key")))[1:-1]
+        faults += [f"{key}: {fault}" for fault in _faults(entry, header, ("", *tables))]
+    if faults:
+        raise PublishedError(f"{path}: {first_of(faults)}")
     statements = [_statement(path, header, scenes, entry) for entry in listed]
     keys = [s.key for s in statements]
     if twice := {key for key, times in Counter(keys).items() if times > 1}:
@@ -134,6 +142,11 @@ def _read(path: Path | Traversable, expected: Mapping[str, Any] | None) -> Sourc
                   expected is not None or "expected" in data)
 
 
+def first_of(texts: Sequence[str], most: int = 20, sign: str = "; ") -> str:
+    """The first of the texts in a row, and how many there are besides."""
+    return sign.join([*texts[:most], *([f"and {len(texts) - most} more"] if len(texts) > most else [])])
+
+
 @contextmanager
 def _at(path: Path | Traversable, key: str) -> Iterator[None]:
     """Errors with the file and the key they belong to."""
@@ -141,7 +154,7 @@ def _at(path: Path | Traversable, key: str) -> Iterator[None]:
         yield
     except GyrostatError as error:
         raise PublishedError(f"{path}: {brief(key)[1:-1]}: {error}") from None
-    except _COMPUTING as error:
+    except COMPUTING as error:
         why = f"it cannot be computed ({brief(str(error))}): simplify it"
         raise PublishedError(f"{path}: {brief(key)[1:-1]}: {why}") from error
 
@@ -156,31 +169,37 @@ def _texts(value: Any) -> bool:
     return isinstance(value, str)
 
 
+def _faults(entry: Mapping[str, Any], header: Mapping[str, Any], scenes: Collection[str]) -> Iterator[str]:
+    """What is wrong with the entries of a formula, each fault with what to do."""
+    if missing := [field for field in _REQUIRED if field not in entry]:
+        yield f"lacks {', '.join(missing)}: a formula has {', '.join(_REQUIRED)}"
+    if unknown := [field for field in entry if field not in _REQUIRED and field not in _OPTIONAL]:
+        yield f"has the unknown entry {', '.join(unknown)}: there are {', '.join((*_REQUIRED, *_OPTIONAL))}"
+    right = {name: value for name, value in entry.items() if _is_of_its_type(name, value)}
+    for name in (name for name in entry if name not in right):
+        yield (f"{name} = {brief(entry[name])} is {article(type(entry[name]))}: write it as in the example "
+               "of docs/reference/published.md")
+    if not right.get("key", "").isprintable():
+        yield "key has more than one line: write a name"
+    if right.get("kind", KINDS[0]) not in KINDS:
+        yield f"kind = {brief(right['kind'])}: the kinds are {', '.join(KINDS)}"
+    if not all(map(is_name, right.get("let", ()))):
+        yield f"let = {brief(right['let'])}: abbreviations are names"
+    if many := [field for field in ("let", "at", "constants") if len(right.get(field, ())) > MOST]:
+        yield f"{', '.join(many)} has more than {MOST} entries: split the formula"
+    scene = right.get("scene", header.get("scene", ""))
+    if not isinstance(scene, str) or scene not in scenes:
+        yield f"scene = {brief(scene)} is not in the file: its scenes are {', '.join(filter(None, scenes))}"
+
+
+def _is_of_its_type(name: str, value: Any) -> bool:
+    """Whether the value of an entry of a formula is a text, a list or a table, as that entry has to be."""
+    wanted = _OPTIONAL.get(name, (str, list) if name in ("quantity", "printed") else str)
+    return name not in (*_REQUIRED, *_OPTIONAL) or isinstance(value, wanted) and _texts(value)
+
+
 def _statement(path: Path | Traversable, header: Mapping[str, Any], scenes: Mapping[str, Scene],
                entry: Mapping[str, Any]) -> Statement:
-    key = entry.get("key", "a formula without a key")
-    with _at(path, key):
-        if missing := [field for field in _REQUIRED if field not in entry]:
-            raise PublishedError(f"lacks {', '.join(missing)}: a formula has {', '.join(_REQUIRED)}")
-        for field, value in entry.items():
-            if field not in _REQUIRED and field not in _OPTIONAL:
-                raise PublishedError(f"has the unknown entry {field}: there are "
-                                     f"{', '.join((*_REQUIRED, *_OPTIONAL))}")
-            wanted = _OPTIONAL.get(field, (str, list) if field in ("quantity", "printed") else str)
-            if not isinstance(value, wanted) or not _texts(value):
-                raise PublishedError(f"{field} = {brief(value)} is a {type(value).__name__}: write it as "
-                                     "in the example of docs/reference/published.md")
-        if not key.isprintable():
-            raise PublishedError("key has more than one line: write a name")
-        if entry["kind"] not in KINDS:
-            raise PublishedError(f"kind = {brief(entry['kind'])}: the kinds are {', '.join(KINDS)}")
-        name = entry.get("scene", header.get("scene", ""))
-        if not all(map(is_name, entry.get("let", ()))):
-            raise PublishedError(f"let = {brief(entry['let'])}: abbreviations are names")
-        if many := [field for field in ("let", "at", "constants") if len(entry.get(field, ())) > MOST]:
-            raise PublishedError(f"{many[0]} has more than {MOST} entries: split the formula")
-        if not isinstance(name, str) or name not in scenes:
-            raise PublishedError(f"scene = {brief(name)} is not in the file: its scenes are "
-                                 f"{', '.join(filter(None, scenes))}")
-        fields = {**entry, "scene": scenes[name], "constants": tuple(entry.get("constants", ()))}
-        return Statement(source=header["name"], file=str(path), **fields)
+    name = entry.get("scene", header.get("scene", ""))
+    fields = {**entry, "scene": scenes[name], "constants": tuple(entry.get("constants", ()))}
+    return Statement(source=header["name"], file=str(path), **fields)

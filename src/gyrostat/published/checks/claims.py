@@ -7,7 +7,7 @@ from ...stability.criteria.conditions import Criterion
 from ...stability.notion import Notion
 from ..statements import Doubt, Outcome
 from . import routes
-from .comparisons import comparisons
+from .comparisons import NEVER, comparisons
 from .criteria import DAMPED, K3, Claim, agree, criterion, free_symbols
 from .failing_points import suspects
 from .readings import Reading
@@ -23,7 +23,7 @@ def condition(r: Reading) -> Outcome | Doubt:
     if not isinstance(s.printed, str):
         raise PublishedError("a condition is one text: join its comparisons with and")
     derived = r.claim.derived(quantity)
-    never = s.printed == "never"                           # a method that proves nothing
+    never = s.printed == NEVER                           # a method that proves nothing
     margins = [] if never else [(r.finish(margin), strict)
                                 for margin, strict in comparisons(s.printed, r.own)]
     if quantity == "existence":                            # what is divided by is not zero

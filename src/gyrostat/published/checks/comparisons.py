@@ -2,6 +2,7 @@
 import re
 from collections import ChainMap
 from collections.abc import Mapping
+from itertools import chain, zip_longest
 from typing import Any
 
 from sympy import Abs, Expr, MatrixBase, Mul, Pow, S, nan, oo, zoo
@@ -12,6 +13,7 @@ from ...errors import ExpressionError, brief
 from ..language import read
 
 COMPARISONS = 30
+NEVER = "never"                                        # in place of a condition: it holds nowhere
 _COMPARISON = re.compile(r"\s*(<=|>=|<|>)\s*")
 # the relations that hold where right − left has a sign
 _HOLDING = {1: ("<", "<="), 0: ("<=", ">="), -1: (">", ">=")}
@@ -73,24 +75,28 @@ def _is_real(value: Expr) -> bool:
     return not value.free_symbols and value.is_real is not False and not value.has(nan, zoo, oo)
 
 
+def sides_of(printed: str) -> list[tuple[list[str], list[str]]]:
+    """The texts of the sides, and the signs between them, of each comparison or chain of a condition."""
+    pieces = [_COMPARISON.split(part) for part in re.split(r"\band\b", printed.translate(RELATIONS))]
+    return [(split[::2], split[1::2]) for split in pieces]
+
+
 def _chains(printed: str, names: Mapping[str, Any]) -> list[tuple[list[Expr], list[str]]]:
     """The sides and the signs of each chain of comparisons, in the order in which they are printed."""
     found = []
     if len(_COMPARISON.findall(printed.translate(RELATIONS))) > COMPARISONS:
         raise ExpressionError(f"cannot read {brief(printed)}: it has more than {COMPARISONS} comparisons")
-    for part in re.split(r"\band\b", printed.translate(RELATIONS)):
-        pieces = _COMPARISON.split(part)
-        if len(pieces) < 3:
-            raise ExpressionError(f"cannot read {brief(part.strip())} as a condition: write left > right, "
+    for texts, signs in sides_of(printed):
+        part = brief(" ".join(chain.from_iterable(zip_longest(texts, signs, fillvalue=""))).strip())
+        if not signs:
+            raise ExpressionError(f"cannot read {part} as a condition: write left > right, "
                                   "with >, >=, < or <=")
         known = ChainMap({"abs": Abs}, names)  # type: ignore[arg-type]
-        sides = [read(piece, known) for piece in pieces[::2]]
+        sides = [read(text, known) for text in texts]
         if any(isinstance(side, MatrixBase) for side in sides):
-            raise ExpressionError(f"cannot read {brief(part.strip())} as a condition: a vector or matrix "
-                                  "is compared")
-        signs = pieces[1::2]
+            raise ExpressionError(f"cannot read {part} as a condition: a vector or matrix is compared")
         if len({sign[0] for sign in signs}) > 1:
-            raise ExpressionError(f"cannot read the chain {brief(part.strip())}: all its signs point one way")
+            raise ExpressionError(f"cannot read the chain {part}: all its signs point one way")
         found.append((sides, signs))
     return found
 

@@ -9,6 +9,7 @@ from ..sources import _HERE, SOURCES, Source, _at, load
 from ..statements import Doubt, Outcome, Statement
 from . import claims, counts, evidence, formulas
 from .readings import Reading
+from .unknown_names import refuse_unknown_names
 
 _CHECKS: Mapping[str, Callable[[Reading], Outcome | Doubt]] = {
     "identity": formulas.identity, "family": formulas.identity, "equilibrium": formulas.equilibrium,
@@ -90,6 +91,7 @@ def findings(sources: Iterable[str | Path], progress: Callable[[str, int, int], 
              ) -> Iterator[Finding]:
     """Each statement of the sources in turn, as check: what comes before one that cannot be read is there."""
     for source in map(load, sources):
+        refuse_unknown_names(source)
         for n, statement in enumerate(source.statements, 1):
             yield _finding(source, statement)
             if progress:

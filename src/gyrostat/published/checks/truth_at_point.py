@@ -8,7 +8,7 @@ from ..independent.frame_equations import model_of
 from ..independent.least_energy import is_least
 from ..independent.separatrix_residual import separatrix_residual
 from ..statements import Doubt, Seen
-from .comparisons import holds_as_printed
+from .comparisons import NEVER, holds_as_printed
 from .criteria import DAMPED, SPECTRAL
 from .readings import Reading
 
@@ -28,7 +28,7 @@ def condition_at(r: Reading, values: Values, doubt: Doubt) -> Seen | None:
         return None
     says, equal = (
         (False, False)
-        if r.statement.printed == "never"
+        if r.statement.printed == NEVER
         else holds_as_printed(r.statement.printed, r.independent(values))
     )
     truth, why = _truth(r, claim, model, values)

@@ -107,7 +107,8 @@ def independent(criterion: Criterion, eq: Equilibrium) -> Criterion:
 
     References
     ----------
-    Derived: X > 0 follows from Y > 0 if X = S + T Y with T > 0 and S ≥ 0, an identity of polynomials.
+    Derived: X > 0 follows from Y > 0 if X = S + T Y with T > 0 and S ≥ 0, an identity of polynomials. An
+    example: docs/explanation/derivations/conditions.md, section 7.
 
     Examples
     --------

@@ -65,7 +65,8 @@ def extremum(body: Gyrostat, M: Sequence[Expr], nu: Expr) -> Extremum:
 
     References
     ----------
-    Derived: h − h₀ = e t²/2 + d_j d_k y⁴/(8 abs(M)² e) + …, e = (d_k M_j² + d_j M_k²)/abs(M)².
+    Derived in docs/explanation/derivations/boundaries.md, section 6: where three rotations meet,
+    h − h₀ = e t²/2 + d_j d_k y⁴/(8 abs(M)² e) + …, e = (d_k M_j² + d_j M_k²)/abs(M)².
     """
     D, momentum = body.inverse - nu * eye(3), Matrix(M)
     adjugate = D.adjugate()
