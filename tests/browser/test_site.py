@@ -56,7 +56,7 @@ def test_pages_can_be_used_by_everybody(site, browser, scheme):
         tab.wait_for_load_state("networkidle")
         if name.startswith("try/"):
             tab.wait_for_selector("body:not(:has([aria-busy=true])):has(.badge) #state:not(:empty)")
-            tab.wait_for_timeout(500)                      # what was pale becomes dark in a quarter of a second
+            tab.wait_for_timeout(500)                      # what was pale takes a quarter to be dark
         said += [f"{name}: {each['help']}: {node['html'][:200]}"
                  for each in Axe().run(tab).response["violations"] for node in each["nodes"]]
     tab.close()

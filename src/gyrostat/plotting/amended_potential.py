@@ -73,8 +73,9 @@ def draw_amended_potential(scene: System, values: Mapping[str, Any] | None = Non
     >>> import gyrostat as gs
     >>> from matplotlib.figure import Figure
     >>> U = gs.general_potential(lambda k1, k2, k3: k1 + k2 + k3)
-    >>> ax = gs.plotting.draw_amended_potential(gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 1)), U), {"C1": 5},
-    ...                                         Figure().add_subplot(projection="3d"))
+    >>> scene = gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 1)), U)
+    >>> sphere = Figure().add_subplot(projection="3d")
+    >>> ax = gs.plotting.draw_amended_potential(scene, {"C1": 5}, sphere)
     >>> [text.get_text() for text in ax.get_legend().get_texts()][:3]
     ['level curve', 'through a saddle', 'minimum, stable']
     """

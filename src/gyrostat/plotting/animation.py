@@ -65,9 +65,11 @@ def animate_top(motion: Motion, times: Any, ax: Any = None, **kwargs: Any) -> An
     >>> import numpy as np
     >>> import tempfile
     >>> from matplotlib.figure import Figure
-    >>> box = gs.trajectories.motion(gs.assemble(gs.Gyrostat((1, 2, "5/2"), (0, 0, 0))), ("1/100", 2, 0))
-    >>> animation = gs.plotting.animate_top(box, np.linspace(0, 60, 4),
-    ...                                     Figure(figsize=(2, 2)).add_subplot(projection="3d"), interval=50)
+    >>> box = gs.assemble(gs.Gyrostat((1, 2, "5/2"), (0, 0, 0)))
+    >>> thrown = gs.trajectories.motion(box, ("1/100", 2, 0))
+    >>> ax = Figure(figsize=(2, 2)).add_subplot(projection="3d")
+    >>> times = np.linspace(0, 60, 4)
+    >>> animation = gs.plotting.animate_top(thrown, times, ax, interval=50)
     >>> with tempfile.TemporaryDirectory() as folder:
     ...     gs.plotting.save_animation(animation, f"{folder}/box.gif")
     """
@@ -148,10 +150,12 @@ def save_animation(animation: Any, path: str | PathLike[str], fps: int = 25) -> 
     >>> import gyrostat as gs
     >>> import tempfile
     >>> from matplotlib.figure import Figure
-    >>> box = gs.trajectories.motion(gs.assemble(gs.Gyrostat((1, 2, "5/2"), (0, 0, 0))), ("1/100", 2, 0))
+    >>> box = gs.assemble(gs.Gyrostat((1, 2, "5/2"), (0, 0, 0)))
+    >>> thrown = gs.trajectories.motion(box, ("1/100", 2, 0))
     >>> ax = Figure(figsize=(1, 1)).add_subplot(projection="3d")
+    >>> animation = gs.plotting.animate_top(thrown, [0, 1], ax)
     >>> with tempfile.TemporaryDirectory() as folder:
-    ...     gs.plotting.save_animation(gs.plotting.animate_top(box, [0, 1], ax), f"{folder}/box.gif")
+    ...     gs.plotting.save_animation(animation, f"{folder}/box.gif")
     """
     optional("matplotlib", "plot")
     from matplotlib.animation import FFMpegWriter, PillowWriter

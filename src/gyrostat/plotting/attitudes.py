@@ -63,8 +63,10 @@ def draw_attitudes(scene: System, values: Mapping[str, Any] | None = None, ax: A
     --------
     >>> import gyrostat as gs
     >>> from matplotlib.figure import Figure
-    >>> satellite = gs.assemble(gs.Gyrostat((1, "5/4", "8/5"), ("3/10", "1/5", "1/10")), gs.circular_orbit(1))
-    >>> ax = gs.plotting.draw_attitudes(satellite, ax=Figure().add_subplot(projection="3d"))
+    >>> body = gs.Gyrostat((1, "5/4", "8/5"), ("3/10", "1/5", "1/10"))
+    >>> satellite = gs.assemble(body, gs.circular_orbit(1))
+    >>> sphere = Figure().add_subplot(projection="3d")
+    >>> ax = gs.plotting.draw_attitudes(satellite, ax=sphere)
     >>> [text.get_text() for text in ax.get_legend().get_texts()]
     ['stable', 'unstable', '$n$ from $r$']
     """

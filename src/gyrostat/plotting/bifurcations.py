@@ -92,8 +92,9 @@ def draw_bifurcation_diagram(scene: System, name: str, ends: tuple[Any, Any], va
     >>> import gyrostat as gs
     >>> from matplotlib.figure import Figure
     >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
-    >>> ax = gs.plotting.draw_bifurcation_diagram(top, "omega", (0, 3), {"I1": 2, "I3": 1, "l": 0, "m0": -1},
-    ...                                           Figure().subplots())
+    >>> values = {"I1": 2, "I3": 1, "l": 0, "m0": -1}
+    >>> ax = gs.plotting.draw_bifurcation_diagram(
+    ...     top, "omega", (0, 3), values, Figure().subplots())
     >>> sorted(text.get_text() for text in ax.texts)
     ['E1', 'E2', 'E3', 'E3 leaves E1', 'precessions leave E2']
     """

@@ -52,9 +52,10 @@ def draw_chart(ds: Any, ax: Any = None, **kwargs: Any) -> Any:
     >>> import gyrostat as gs
     >>> import numpy as np
     >>> from matplotlib.figure import Figure
-    >>> top = gs.analyze(gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())))
-    >>> chart = gs.charts.stability_chart(top, x=("pi3_0", np.linspace(-4, 4, 80)),
-    ...                                   y=("l", np.linspace(-2, 2, 60)), fixed={"I1": 1, "m0": 1})
+    >>> scene = gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
+    >>> chart = gs.charts.stability_chart(
+    ...     gs.analyze(gs.upright(scene)), x=("pi3_0", np.linspace(-4, 4, 80)),
+    ...     y=("l", np.linspace(-2, 2, 60)), fixed={"I1": 1, "m0": 1})
     >>> gs.plotting.draw_chart(chart, Figure().subplots()).get_xlabel()
     '$\\pi_3^0$ $[\\mathrm{M\\,L^{2}\\,T^{-1}}]$'
     """

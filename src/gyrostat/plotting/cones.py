@@ -122,7 +122,8 @@ def draw_cones(inertia: Sequence[Any], transverse: Any, axial: Any, ax: Any = No
     --------
     >>> import gyrostat as gs
     >>> from matplotlib.figure import Figure
-    >>> ax = gs.plotting.draw_cones((2, 1), 1, 2, ax=Figure().add_subplot(projection="3d"))
+    >>> space = Figure().add_subplot(projection="3d")
+    >>> ax = gs.plotting.draw_cones((2, 1), 1, 2, ax=space)
     >>> [text.get_text() for text in ax.texts]
     ['$M$', '$\\omega$', '$e_{3}$']
     """

@@ -167,8 +167,10 @@ def draw_effective_potential(scene: System, values: Mapping[str, Any], energy: A
     >>> import gyrostat as gs
     >>> from matplotlib.figure import Figure
     >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
-    >>> values = {"I1": 1, "I3": "1/2", "l": 0, "m0": 1, "p_phi": 2, "p_psi": 3}
-    >>> gs.plotting.draw_effective_potential(top, values, energy=10, ax=Figure().subplots()).get_xlabel()
+    >>> body = {"I1": 1, "I3": "1/2", "l": 0, "m0": 1}
+    >>> ax = gs.plotting.draw_effective_potential(
+    ...     top, body | {"p_phi": 2, "p_psi": 3}, energy=10, ax=Figure().subplots())
+    >>> ax.get_xlabel()
     '$\\theta$'
     """
     found = well(scene, values, energy)

@@ -109,8 +109,8 @@ def draw_energy_momentum(scene: System, values: Mapping[str, Any],
     >>> import gyrostat as gs
     >>> from matplotlib.figure import Figure
     >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
-    >>> ax = gs.plotting.draw_energy_momentum(top, {"I1": 1, "I3": 1, "l": 0, "m0": 1, "p_psi": 1},
-    ...                                       ax=Figure().subplots())
+    >>> values = {"I1": 1, "I3": 1, "l": 0, "m0": 1, "p_psi": 1}
+    >>> ax = gs.plotting.draw_energy_momentum(top, values, ax=Figure().subplots())
     >>> [text.get_text() for text in ax.get_legend().get_texts()]
     ['stable (curves: modulo the spin)', 'unstable', '1 band of $k_3$']
     >>> [text.get_text() for text in ax.texts]

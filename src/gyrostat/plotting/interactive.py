@@ -46,8 +46,9 @@ def view_motion(motion: Motion, times: Any) -> Any:
     Examples
     --------
     >>> import gyrostat as gs
-    >>> box = gs.trajectories.motion(gs.assemble(gs.Gyrostat((1, 2, "5/2"), (0, 0, 0))), ("1/100", 2, 0))
-    >>> figure = gs.plotting.view_motion(box, [0, 1, 2])  # doctest: +SKIP
+    >>> box = gs.assemble(gs.Gyrostat((1, 2, "5/2"), (0, 0, 0)))
+    >>> thrown = gs.trajectories.motion(box, ("1/100", 2, 0))
+    >>> figure = gs.plotting.view_motion(thrown, [0, 1, 2])  # doctest: +SKIP
     """
     go = optional("plotly.graph_objects", "interactive")
     turns, path, fine, _ = attitudes(motion, times)

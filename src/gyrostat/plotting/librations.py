@@ -59,11 +59,15 @@ def draw_librations(motion: Motion, times: Any, ax: Any = None, *, pointing: Seq
     >>> import gyrostat as gs
     >>> import numpy as np
     >>> from matplotlib.figure import Figure
-    >>> scene = gs.assemble(gs.Gyrostat((60, 70, 35), (0, 0, 0)), gs.circular_orbit(1))
+    >>> body = gs.Gyrostat((60, 70, 35), (0, 0, 0))
+    >>> scene = gs.assemble(body, gs.circular_orbit(1))
     >>> moving = gs.trajectories.motion(scene, gs.release(scene, ("5 deg", 0, 0)))
-    >>> ax = gs.plotting.draw_librations(moving, np.linspace(0, 12, 100), Figure().subplots())
-    >>> [text.get_text() for text in ax.get_legend().get_texts()], ax.get_xlabel(), ax.get_ylabel()
-    (['roll', 'pitch', 'yaw'], 'orbits', 'angle [°]')
+    >>> ax = gs.plotting.draw_librations(
+    ...     moving, np.linspace(0, 12, 100), Figure().subplots())
+    >>> [text.get_text() for text in ax.get_legend().get_texts()]
+    ['roll', 'pitch', 'yaw']
+    >>> ax.get_xlabel(), ax.get_ylabel()
+    ('orbits', 'angle [°]')
     """
     if motion.scene.kind is not Kind.ORBIT:
         raise ScopeError("librations are those of a satellite in orbit: assemble(body, circular_orbit())")

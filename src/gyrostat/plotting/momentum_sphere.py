@@ -74,8 +74,9 @@ def draw_momentum_sphere(scene: System, momentum: Any, values: Mapping[str, Any]
     --------
     >>> import gyrostat as gs
     >>> from matplotlib.figure import Figure
-    >>> ax = gs.plotting.draw_momentum_sphere(gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 0))), 1,
-    ...                                       ax=Figure().add_subplot(projection="3d"))
+    >>> body = gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 0)))
+    >>> sphere = Figure().add_subplot(projection="3d")
+    >>> ax = gs.plotting.draw_momentum_sphere(body, 1, ax=sphere)
     >>> [text.get_text() for text in ax.get_legend().get_texts()]
     ['polhode', 'separatrix', 'stable', 'unstable']
     """

@@ -67,8 +67,8 @@ def draw_rotor_set(scene: System, values: Mapping[str, Any], ax: Any = None, **k
     --------
     >>> import gyrostat as gs
     >>> from matplotlib.figure import Figure
-    >>> ax = gs.plotting.draw_rotor_set(gs.assemble(gs.Gyrostat((1, 2, 3))), {"l2": 0, "M": 1},
-    ...                                 Figure().subplots())
+    >>> body = gs.assemble(gs.Gyrostat((1, 2, 3)))
+    >>> ax = gs.plotting.draw_rotor_set(body, {"l2": 0, "M": 1}, Figure().subplots())
     >>> sorted({text.get_text() for text in ax.texts}), ax.get_xlabel()
     (['2', '4', '6'], '$l_1$ $[\\mathrm{M\\,L^{2}\\,T^{-1}}]$')
     """

@@ -70,7 +70,8 @@ def draw_smelt_plane(rotor: Any = 0, bodies: Mapping[str, Sequence[Any]] | None 
     --------
     >>> import gyrostat as gs
     >>> from matplotlib.figure import Figure
-    >>> ax = gs.plotting.draw_smelt_plane(bodies={"pole": (60, 70, 35)}, ax=Figure().subplots())
+    >>> bodies = {"pole": (60, 70, 35)}
+    >>> ax = gs.plotting.draw_smelt_plane(bodies=bodies, ax=Figure().subplots())
     >>> [text.get_text() for text in ax.get_legend().get_texts()][-1]
     'pole'
     """

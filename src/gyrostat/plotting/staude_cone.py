@@ -76,8 +76,9 @@ def draw_staude_cone(scene: System, values: Mapping[str, Any] | None = None, ax:
     >>> import gyrostat as gs
     >>> from matplotlib.figure import Figure
     >>> U = gs.general_potential(lambda k1, k2, k3: k1 + k2 + k3)
-    >>> ax = gs.plotting.draw_staude_cone(gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 0)), U),
-    ...                                   ax=Figure().add_subplot(projection="3d"))
+    >>> scene = gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 0)), U)
+    >>> sphere = Figure().add_subplot(projection="3d")
+    >>> ax = gs.plotting.draw_staude_cone(scene, ax=sphere)
     >>> [text.get_text() for text in ax.get_legend().get_texts()]
     ['stable', 'unstable', 'no rotation', 'stable to unstable', 'at rest']
     """

@@ -74,8 +74,8 @@ def draw_staude_plane(scene: System, values: Mapping[str, Any] | None = None,
     >>> import gyrostat as gs
     >>> from matplotlib.figure import Figure
     >>> U = gs.general_potential(lambda k1, k2, k3: k1 + k2 + k3)
-    >>> ax = gs.plotting.draw_staude_plane(gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 0)), U),
-    ...                                    ax=Figure().subplots())
+    >>> scene = gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 0)), U)
+    >>> ax = gs.plotting.draw_staude_plane(scene, ax=Figure().subplots())
     >>> [text.get_text() for text in ax.get_legend().get_texts()]
     ['stable', 'unstable', 'fold']
     >>> sorted(text.get_text() for text in ax.texts)

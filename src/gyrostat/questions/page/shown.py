@@ -56,7 +56,8 @@ def show(scene: Mapping[str, Any], want: str, *more: Any) -> dict[str, Any]:
     Examples
     --------
     >>> import gyrostat as gs
-    >>> top = {"potential": "m0*k3", "inertia": ["I1", "I1", "I3"], "equilibrium": "E1"}
+    >>> top = {"potential": "m0*k3", "inertia": ["I1", "I1", "I3"],
+    ...        "equilibrium": "E1"}
     >>> gs.questions.show(top, "analysed")["axes"]
     ['I1', 'm0', 'pi3_0']
     >>> values = {"I1": 1, "I3": 2, "m0": 1, "pi3_0": 3}
