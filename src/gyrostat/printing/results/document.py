@@ -20,7 +20,14 @@ from ..glossary import term_blocks
 from ..letters import letter, letters_of, word
 from ..nomenclature import occurring, symbol_rows
 from .boundary import boundary_blocks
-from .inequalities import criterion_blocks, existence, implied_blocks, integral_blocks, polynomial_of
+from .inequalities import (
+    criterion_blocks,
+    existence,
+    implied_blocks,
+    integral_blocks,
+    polynomial_of,
+    short_blocks,
+)
 from .rotations import (
     definition_blocks,
     family_blocks,
@@ -51,7 +58,7 @@ def conditions_blocks(report: Report) -> list[Block]:
         exists = [sentence("It exists if:"), *exists]
     return [Heading(title_of(eq)), *tilt_blocks(eq), *family_blocks(eq), *exists,
             *criterion_blocks("Necessary", report.necessary, eq.at, "necessary"),
-            *criterion_blocks("Sufficient", report.sufficient, eq.at, "sufficient"),
+            *short_blocks(report), *criterion_blocks("Sufficient", report.sufficient, eq.at, "sufficient"),
             *integral_blocks(report),
             *boundary_blocks(report),
             *criterion_blocks("Under internal damping", report.damped, eq.at, "damped"),
@@ -77,6 +84,7 @@ def report_blocks(report: Report) -> list[Block]:
         "equilibrium is unstable (Lyapunov 1892). Sufficient: if the second variation is definite, the "
         f"equilibrium is Lyapunov stable (Holm, Marsden, Ratiu & Weinstein 1985).{modulo}")]
     blocks += [*criterion_blocks("Necessary (spectral)", report.necessary, eq.at, "necessary"),
+               *short_blocks(report),
                *criterion_blocks("Sufficient (formal, hence Lyapunov)", report.sufficient, eq.at,
                                  "sufficient"), *integral_blocks(report)]
     if report.casimirs_only != report.sufficient:

@@ -5,6 +5,7 @@ from typing import Any
 
 from sympy import Abs, Expr, Pow, S
 
+from ..._lazy import loaded
 from ...algebra.rings.readable import readable
 from ...registry import Letters
 from ...stability.criteria.conditions import Condition, Criterion
@@ -14,6 +15,8 @@ from ...stability.report.report import Report
 from ..blocks import Block, Display, Word, modulo_flow, sentence
 from ..letters import letters_of, word
 from ..order import inequality
+
+LONG, SHORTER = 200, 4                                 # characters of long margins; how many times fewer
 
 
 def polynomial_of(letters: Letters) -> Word:
@@ -48,6 +51,22 @@ def criterion_blocks(title: str, criterion: Criterion, at: Any, label: str) -> l
         blocks.append(sentence("or") if blocks else sentence(title, *modulo, ":"))
         blocks += _alternative(alternative, at, label)
     return blocks
+
+
+def short_blocks(report: Report) -> list[Block]:
+    """Short inequalities that suffice, if those of the sufficient condition are long or written in names."""
+    if report.closed is None and _size(report.sufficient) <= LONG:
+        return []
+    found = loaded("stability.criteria.short_sufficient:short_sufficient")(report.equilibrium)
+    if found is None or report.closed is None and SHORTER * _size(found) > _size(report.sufficient):
+        return []
+    return [sentence("These short inequalities suffice:"),
+            *_alternative(found.alternatives[0], report.equilibrium.at, "short")]
+
+
+def _size(criterion: Criterion) -> int:
+    """The characters of its margins."""
+    return sum(len(str(c.margin)) for alternative in criterion.alternatives for c in alternative)
 
 
 def integral_blocks(report: Report) -> list[Block]:
