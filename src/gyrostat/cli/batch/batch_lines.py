@@ -44,7 +44,7 @@ def opened(path: str, output: str | None) -> Iterator[BinaryIO]:
         try:
             file = stack.enter_context(open(path, "rb"))
         except OSError as error:
-            raise ValuesError(f"cannot read {path}: {error.strerror}") from None
+            raise ValuesError(f"cannot read {path}: {error.strerror}: check the path") from None
         yield file
 
 
