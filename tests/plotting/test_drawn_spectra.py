@@ -1,4 +1,4 @@
-"""Eigenvalues along a parameter as they are drawn: vertices, marks and names, computed without the library."""
+"""Eigenvalues along a parameter as they are drawn: vertices, marks, names, computed without the library."""
 import random
 import re
 from fractions import Fraction

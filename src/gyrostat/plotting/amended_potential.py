@@ -1,4 +1,4 @@
-"""The amended potential on the sphere of directions: level curves, and its critical points with verdicts."""
+"""Draws the amended potential on the sphere of directions: level curves, critical points, verdicts."""
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -97,7 +97,7 @@ def draw_amended_potential(scene: System, values: Mapping[str, Any] | None = Non
 
 
 def _marked(ax: Any, points: Sequence[CriticalPoint], eye: Array) -> list[Any]:
-    """The critical points by kind and verdict, curves as lines; what stands in the legend for them."""
+    """Draw the critical points by kind and verdict; what stands in the legend for them."""
     handles: list[Any] = []
     for point in points:
         if point.rotation.locus:

@@ -1,4 +1,4 @@
-"""The body turning, as an animation, and its file."""
+"""Animates the turning body along an exact motion, and writes the animation to a file."""
 from errno import EIO
 from os import PathLike
 from pathlib import Path
@@ -99,7 +99,7 @@ def animate_top(motion: Motion, times: Any, ax: Any = None, **kwargs: Any) -> An
 
 
 def _form(times: Any) -> str:
-    """So many decimals that two times are two numbers."""
+    """Return a format with so many decimals that two different times are two texts."""
     steps = np.abs(np.diff(np.asarray(times, dtype=float)))
     least = steps[steps > 0].min(initial=np.inf)
     return f".{int(np.clip(np.ceil(-np.log10(least)), 0, 12))}f" if np.isfinite(least) else "g"
@@ -123,7 +123,7 @@ def attitudes(motion: Motion, times: Any) -> tuple[Array, Array, int, int]:
 
 @checked
 def save_animation(animation: Any, path: str | PathLike[str], fps: int = 25) -> None:
-    """Write an animation: .gif by Pillow, .mp4 by ffmpeg, where that program is installed.
+    """Write an animation: a .gif by Pillow, or an .mp4 by ffmpeg, if that program is installed.
 
     Parameters
     ----------

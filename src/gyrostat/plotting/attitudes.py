@@ -1,4 +1,4 @@
-"""The attitudes in which a satellite rests, on the sphere of the directions of its body."""
+"""Draws the attitudes in which a satellite rests, on the sphere of directions in its body."""
 from collections.abc import Mapping, Sequence
 from typing import Any
 

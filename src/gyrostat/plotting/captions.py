@@ -1,4 +1,4 @@
-"""Captions for a paper: what a picture shows, of which scene, and what its looks mean, as LaTeX text."""
+"""Writes captions for a paper, as LaTeX: what a picture shows, of which scene, and what its looks mean."""
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any

@@ -1,4 +1,4 @@
-"""Pictures of charts: stable light, unstable dark, undecided hatched, the boundary a black line."""
+"""Draws stability charts: stable is light, unstable dark, undecided hatched, the boundary a black line."""
 from collections.abc import Iterable, Mapping
 from typing import Any
 
@@ -97,7 +97,7 @@ def draw_chart(ds: Any, ax: Any = None, **kwargs: Any) -> Any:
 
 
 def _said(ds: Any) -> tuple[list[str], list[str]]:
-    """The equilibrium and U; what is fixed, and what the others determine."""
+    """Return the equilibrium and U, and the names that are fixed or determined by the others."""
     latex = ds.attrs.get("potential_latex", "")
     names = sorted((name for name, c in ds.coords.items() if c.ndim == 0), key=order)
     fixed = [f"${ds[name].attrs.get('latex', name)} = {number(ds[name].item(), _exact(ds[name]))}$"

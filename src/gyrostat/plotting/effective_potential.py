@@ -1,4 +1,4 @@
-"""The effective potential of a body of revolution in U(k3) on a level of its momenta."""
+"""Draws the effective potential of a body of revolution in U(k3) on a level of its momenta."""
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -59,8 +59,7 @@ class Well:
 
 
 def well(scene: System, values: Mapping[str, Any], energy: Any = None) -> Well:
-    """V(θ), its critical points with their verdicts, exact and complete, and where a motion of an energy
-    goes.
+    """Return V(θ), its critical points with their verdicts, exact and complete, and the reach of an energy.
 
     Parameters
     ----------

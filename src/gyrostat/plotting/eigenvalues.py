@@ -1,4 +1,4 @@
-"""Eigenvalues of an equilibrium in the complex plane, along a parameter."""
+"""Draws the eigenvalues of an equilibrium in the complex plane, along a parameter."""
 from collections.abc import Mapping, Sequence
 from typing import Any
 

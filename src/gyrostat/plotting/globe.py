@@ -1,4 +1,4 @@
-"""A sphere seen from one side: outline, axes, and curves on it whose hidden part is faded."""
+"""Draws a sphere seen from one side: outline, axes, and curves on it whose hidden part is faded."""
 from collections.abc import Callable, Sequence
 from typing import Any
 

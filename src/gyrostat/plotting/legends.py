@@ -1,4 +1,4 @@
-"""Legends and titles: above flat axes, or the legend below a view of space, in as many columns as fit."""
+"""Puts legends and titles above flat axes, or the legend below a view of space, in columns that fit."""
 from collections.abc import Sequence
 from typing import Any
 

@@ -1,4 +1,4 @@
-"""Roll, pitch and yaw of a satellite over its orbits."""
+"""Draws roll, pitch and yaw of a satellite over its orbits."""
 from collections.abc import Sequence
 from typing import Any
 
@@ -26,7 +26,7 @@ def draw_librations(motion: Motion, times: Any, ax: Any = None, *, pointing: Seq
                     **kwargs: Any) -> Any:
     """Draw roll, pitch and yaw of a satellite, in degrees, over its orbits.
 
-    Where an angle jumps, at ±180° and where pitch is ±90°, its curve is broken.
+    A curve is broken where its angle jumps: at ±180°, and if pitch is ±90°.
 
     Parameters
     ----------
@@ -84,6 +84,6 @@ def draw_librations(motion: Motion, times: Any, ax: Any = None, *, pointing: Seq
 
 
 def _broken(x: Array, y: Array) -> tuple[Array, Array]:
-    """With a gap where the values jump, at ±180° and where pitch is ±90°."""
+    """Return a curve with a gap where its values jump: at ±180°, and if pitch is ±90°."""
     jumps = np.flatnonzero(abs(np.diff(y)) > JUMP) + 1
     return np.insert(x, jumps, np.nan), np.insert(y, jumps, np.nan)

@@ -1,4 +1,4 @@
-"""The one look of stable, unstable and undecided, for areas, lines and markers; axes and their labels."""
+"""Gives stable, unstable and undecided one look each, for areas, lines and markers; labels axes."""
 from collections.abc import Sequence
 from typing import Any
 

@@ -1,4 +1,4 @@
-"""The momentum sphere of a free body or gyrostat: polhodes, separatrices, equilibria."""
+"""Draws the momentum sphere of a free body or gyrostat: polhodes, separatrices, equilibria."""
 from collections.abc import Mapping, Sequence
 from typing import Any
 

@@ -1,4 +1,4 @@
-"""Permanent rotations on the sphere of directions: arcs with their verdicts, and where these change."""
+"""Draws permanent rotations on the sphere of directions: arcs with their verdicts, and their changes."""
 from collections.abc import Mapping
 from typing import Any
 

@@ -1,4 +1,4 @@
-"""Permanent rotations in the plane of omega and sigma: the real curve abs(k) = 1, with verdicts."""
+"""Draws permanent rotations in the plane of omega and sigma: the real curve abs(k) = 1, with verdicts."""
 from collections.abc import Mapping, Sequence
 from typing import Any
 
@@ -111,7 +111,7 @@ def draw_staude_plane(scene: System, values: Mapping[str, Any] | None = None,
 
 
 class _Plane:
-    """A body in doubles, and its rotations in the plane of omega and sigma + omega² I."""
+    """Places the rotations of a body in the plane of omega and sigma + omega² I, in doubles."""
 
     def __init__(self, scene: System):
         U, body = scene.potential, scene.body
