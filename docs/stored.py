@@ -1,6 +1,6 @@
 """python docs/stored.py [--check] [FILE ...]: make anew what is stored of the pages, or compare it.
 
-Stored are the pictures of the gallery, the first panel of six of them in small, and the outputs of the
+Stored are the pictures of the gallery, the first panel of each as a thumbnail, and the outputs of the
 notebooks. FILE is the path of a notebook, or the name of a picture in the gallery; default: all of them.
 """
 import argparse
@@ -23,8 +23,9 @@ from PIL import Image, ImageSequence
 
 ROOT = Path(__file__).resolve().parents[1]
 IMAGES, PAGE = ROOT / "docs" / "images", ROOT / "docs" / "gallery" / "index.md"
-SMALL = ("e3-chart", "momentum-sphere", "nutation", "bifurcations", "energy-momentum", "eigenvalues")
-WIDTH, SHAPE = 520, 4 / 3                                  # pixels, twice those of the page; width to height
+# Of a small picture: the inches that 200 pixels of a page are, its pixels, its width to its height, the
+# points of its letters, and the most ticks of an axis
+SHOWN, WIDTH, SHAPE, LETTERS, TICKS = 200 / 96, 520, 4 / 3, 7.5, 3
 # Two pictures are the same if no channel of a pixel differs by more than this, of 255. With one version of
 # Matplotlib all 21 PNG of the gallery came out with differences of 0, whether with NumPy 2.0, contourpy 1.2,
 # kiwisolver 1.4 and Pillow 10 or with NumPy 2.4, contourpy 1.3, kiwisolver 1.5 and Pillow 13. From Matplotlib
@@ -53,29 +54,46 @@ def draw(name: str, folder: Path) -> dict[str, Any]:
 
 
 def draw_small(name: str, figure: Any, folder: Path) -> None:
-    """Write the small picture, if there is one, into small/; of the figure the first axes are left."""
-    if Path(name).stem in SMALL:
+    """Write the small picture of a still one into small/; of the figure the first axes are left."""
+    if name.endswith(".png"):
         (folder / "small").mkdir(exist_ok=True)
         with matplotlib.rc_context(), matplotlib.style.context("gyrostat.plotting.paper"):
             small(figure, folder / "small" / name)
 
 
 def small(figure: Any, path: Path) -> None:
-    """Write the first axes without title, legend and the others, which are removed."""
+    """Write the first axes as a thumbnail, with few ticks, and letters that can be read.
+
+    Names beside marks, title, legend and the other axes are removed.
+    """
     first, *others = figure.axes
     for ax in others:
         ax.remove()
     for legend in filter(None, (first.get_legend(), *figure.legends)):
         legend.remove()
+    for text in list(first.texts):
+        if not text.get_text().startswith("$") or first.name != "3d":
+            text.remove()
     first.set_title("")
-    figure.set_size_inches(3.0, 3.0 / SHAPE)
+    figure.set_size_inches(SHOWN, SHOWN / SHAPE)
+    for axis in (first.xaxis, first.yaxis):
+        axis.set_label_text(axis.get_label_text().split(" $[")[0])         # without its dimension
+        fixed = isinstance(axis.get_major_locator(), matplotlib.ticker.FixedLocator)
+        if fixed and first.name != "3d":
+            names = [label.get_text() for label in axis.get_ticklabels()]
+            axis.set_ticks(axis.get_ticklocs()[::2], names[::2])
+        elif first.name != "3d":
+            axis.set_major_locator(matplotlib.ticker.MaxNLocator(TICKS))
+    first.tick_params(labelsize=LETTERS)
+    for text in first.findobj(matplotlib.text.Text):
+        text.set_fontsize(LETTERS)
     if first.name == "3d":
         figure.set_layout_engine("none")
         first.set_position((0, 0, 1, 0.94))
     else:
         first.set_subplotspec(figure.add_gridspec(1, 1)[0])
-        figure.set_layout_engine("constrained", w_pad=0.1)
-    figure.savefig(path, dpi=WIDTH / 3.0)
+        figure.set_layout_engine("constrained", w_pad=0.05)
+    figure.savefig(path, dpi=WIDTH / SHOWN)
 
 
 def differences(stored: Any, made: Any) -> Iterator[str]:

@@ -1,9 +1,14 @@
 """Symbols, their names and how they are printed."""
+import re
+from pathlib import Path
+
 import pytest
 from sympy import Symbol
 
 from gyrostat.notation import NOTATION, jet, jet_name, own, symbol
 from gyrostat.typesetting import typeset
+
+PAGE = Path(__file__).parents[1] / "docs" / "explanation" / "conventions.md"
 
 
 def test_moments_masses_and_magnitudes_are_positive_and_everything_else_is_real():
@@ -101,3 +106,21 @@ def test_names_are_typeset(name, latex, text):
     Masses keep apart from m1 = 3 g/r, names of the user from those of the table.
     """
     assert typeset(name) == latex and typeset(name, style="text") == text
+
+
+def bare(latex):
+    """LaTeX without braces and spaces."""
+    return re.sub("[{} ]", "", latex)
+
+
+def test_the_page_of_one_notation_has_what_is_printed():
+    """In conventions: LaTeX on pages, the name in code and the letters in print are those of the table."""
+    text = PAGE.read_text(encoding="utf-8").partition("## One notation")[2].partition("\n## ")[0]
+    rows = re.findall(r"^\| (\$.*?) \| (`.*?`); (`.*?`) \|", text, re.MULTILINE)
+    assert len(rows) >= 12
+    for latex, code, printed in rows:
+        names, shown = (re.findall("`(.*?)`", cell) for cell in (code, printed))
+        for name, letters in zip(names, shown):
+            assert typeset(name, style="text").partition("(")[0] == letters
+        symbol_on_page = bare(typeset(names[0]).partition("(")[0].removesuffix("^0"))
+        assert symbol_on_page in bare(latex), (names[0], latex)

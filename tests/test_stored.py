@@ -1,6 +1,7 @@
 """How what is stored of the pages is compared with what is made: docs/stored.py."""
 import stored
 from matplotlib.figure import Figure
+from matplotlib.text import Text
 from PIL import Image
 
 
@@ -35,6 +36,25 @@ def test_every_frame_of_an_animation_is_compared(tmp_path):
     assert said == "frame 2: 16 of 16 pixels differ"
     (said,) = stored.differences(tmp_path / "stored.gif", tmp_path / "short.gif")
     assert said.startswith("frame 2: another size")
+
+
+def test_a_thumbnail_can_be_read(tmp_path):
+    """At 200 pixels no letter is below 7 points, an axis has at most five ticks, and marks have no names."""
+    figure = Figure(figsize=(7, 4))
+    ax, other = figure.subplots(1, 2)
+    ax.plot([0, 1], [0, 1], label="a line")
+    ax.legend()
+    ax.set_title("a title")
+    ax.set_xlabel("$x$ $[\\mathrm{M}]$", fontsize=5)
+    ax.annotate("a mark", (0.5, 0.5))
+    stored.small(figure, tmp_path / "small.png")
+    assert figure.axes == [ax] and ax.get_legend() is None and not ax.texts and not ax.get_title()
+    assert ax.get_xlabel() == "$x$" and figure.get_size_inches()[0] * 96 == 200
+    letters = [text for text in figure.findobj(Text) if text.get_text()]
+    assert len(letters) > 4 and min(text.get_fontsize() for text in letters) >= 7
+    assert max(len(axis.get_ticklocs()) for axis in (ax.xaxis, ax.yaxis)) <= 5
+    with Image.open(tmp_path / "small.png") as image:
+        assert image.width == stored.WIDTH
 
 
 def shown(source, *texts):

@@ -98,7 +98,7 @@ def test_charts_of_general_scenes(capsys, tmp_path, claimed):
 @pytest.mark.slow
 def test_the_spectrum_of_a_claimed_point(capsys, tmp_path, monkeypatch):
     """Along a name of the point, whatever holds at the numbers only; but for the title."""
-    monkeypatch.setattr("gyrostat.plotting.eigenvalues.heading", lambda *_: "")
+    monkeypatch.setattr("gyrostat.plotting.eigenvalues.of_scene", lambda *_: ([], []))
     pictures = [tmp_path / "one.png", tmp_path / "other.png"]
     for path, numbers in zip(pictures, ({**SETS}, ROTOR)):
         numbers = {name: x for name, x in numbers.items() if name != "w"}

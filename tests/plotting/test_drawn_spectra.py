@@ -1,7 +1,4 @@
-"""What Matplotlib holds of eigenvalues along a parameter, recomputed.
-
-Every vertex, every mark and its name, without the library.
-"""
+"""Eigenvalues along a parameter as they are drawn: vertices, marks, names, computed without the library."""
 import random
 import re
 from fractions import Fraction
@@ -12,6 +9,7 @@ import oracle
 import pytest
 from matplotlib.collections import LineCollection
 from matplotlib.figure import Figure
+from matplotlib.text import Text
 from mpmath import mp, mpc, mpf, workdps
 from slow import sampled
 from sympy import cos, exp
@@ -214,16 +212,14 @@ def bound(roots, largest):
 
 def marked(ax, spectrum, expected, seed):
     """Each collision has its name, its value and its eigenvalues, and nothing else has any."""
-    handles = ax.get_legend().legend_handles if ax.get_legend() else []
-    named = {(h.get_marker(), *h.get_label().split(", ")) for h in handles}
+    named = {(h.get_marker(), *h.get_label().split(", "))
+             for h in (ax.get_legend().legend_handles if ax.get_legend() else ())}
     claimed = []
-    for text in ax.texts:
-        if text.get_text():                                # an arrow has none
-            value = text.get_text().split("= ")[1].strip("$")
-            x = float(re.sub(r"( \\times )?10\^\{(-?\d+)\}", lambda m: f"{'' if m[1] else 1}e{m[2]}", value))
-            claimed += [(x, kind, said == "stability changes") for marker, kind, said in named
-                        if any(text.xy in list(map(tuple, line.get_xydata())) for line in ax.lines
-                               if line.get_marker() == marker)]
+    for text in filter(Text.get_text, ax.texts):           # an arrow has no text
+        value = text.get_text().split("= ")[1].strip("$")
+        x = float(re.sub(r"( \\times )?10\^\{(-?\d+)\}", lambda m: f"{'' if m[1] else 1}e{m[2]}", value))
+        shapes = {line.get_marker() for line in ax.lines if text.xy in list(map(tuple, line.get_xydata()))}
+        claimed += [(x, kind, said == "stability changes") for shape, kind, said in named if shape in shapes]
     assert len(claimed) == len(expected), (seed, claimed, expected)
     for ours, theirs in zip(sorted(claimed), sorted(expected)):
         assert ours[1:] == theirs[1:] and abs(ours[0] - theirs[0]) < 1e-3 * abs(theirs[0]) + 1e-9, (

@@ -53,7 +53,7 @@ def test_equilibria_are_the_minima_and_maxima(scene, values, energy, U):
     found = well(scene, values)
     turns = np.flatnonzero(np.diff(np.sign(np.diff(found.height))))
     minima = np.diff(found.height)[turns] < 0
-    inner = sorted((t, h, branch) for t, h, branch in found.equilibria)
+    inner = sorted((t, h, branch) for t, h, _, branch in found.equilibria)
     assert len(inner) == len(turns) and found.turning_points == []
     for (theta, height, branch), n, minimum in zip(inner, turns, minima):
         assert found.theta[n] <= theta <= found.theta[n + 2]
@@ -69,7 +69,7 @@ def test_poles_are_on_their_level():
     Below the critical spin it is open.
     """
     values = {"I1": 1, "I3": "1/2", "l": "1/4", "m0": 1, "p_phi": 1, "p_psi": 1}
-    (theta, height, branch), *_ = well(TOP, values).equilibria
+    (theta, height, _, branch), *_ = well(TOP, values).equilibria
     assert (theta, height, branch.label) == (0.0, 1 + 0.75**2, "E1")
     ax = draw_effective_potential(TOP, values, ax=Figure().subplots())
     markers = {line.get_markerfacecolor(): line.get_xydata().tolist()

@@ -13,8 +13,10 @@ MOST = 0.25
 
 
 def measured(pictures):
-    """The part of its figure that each legend takes, as wide as a column of a paper."""
-    with matplotlib.style.context("gyrostat.plotting.paper"):
+    """The part of its figure that each legend takes, in a column of a paper, with the large letters that are
+    Matplotlib's default.
+    """
+    with matplotlib.rc_context({"figure.figsize": (3.8, 3.8), "figure.constrained_layout.use": True}):
         for ax in pictures:
             canvas = FigureCanvasAgg(ax.figure)
             canvas.draw()

@@ -1,4 +1,4 @@
-"""The command line's grammar, which says of an option or a verb that it does not know which one was meant."""
+"""Suggests the option or the verb that was meant, if a word is not known."""
 import argparse
 import re
 import sys
@@ -12,7 +12,7 @@ _UNKNOWN = re.compile(r"unrecognized arguments: ([^\s=]+)|invalid choice: '([^']
 
 
 class Parser(argparse.ArgumentParser):
-    """As argparse's; with "did you mean" where something like it is there."""
+    """A parser of argparse that asks "did you mean", if a similar word is known."""
 
     def error(self, message: str) -> NoReturn:
         """End with status 2, the usage and the message on standard error."""

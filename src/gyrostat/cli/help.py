@@ -1,4 +1,4 @@
-"""The words of the help: what each verb does, its examples, and both in the width of the terminal."""
+"""Holds the words of the help, and fits them and the examples into the width of the terminal."""
 import argparse
 import re
 from pkgutil import get_data
@@ -115,12 +115,12 @@ class Formatter(argparse.HelpFormatter):
 
 
 def examples(verb: str) -> str:
-    """What stands below the help of a verb; from a folder, or from part of an archive."""
+    """The examples below the help of a verb; they are read from a folder or from an archive."""
     return (get_data(__package__, f"examples/{verb}.txt") or b"").decode().strip()
 
 
 def _typed(part: str, width: int) -> str:
-    """Examples, a command that is too long in several lines, its comment below where there is no room."""
+    """Fit examples: a long command is broken, and its comment goes below it if there is no room."""
     title, *commands = re.sub(r" \\\n +", " ", part).split("\n")
     roomy = all(len(line) <= width for line in commands if _COMMENT.search(line))
     lines = [title]
@@ -136,7 +136,7 @@ def _typed(part: str, width: int) -> str:
 
 
 def _continued(command: str, width: int) -> list[str]:
-    r"""A command, broken between its options with \, as it may be typed."""
+    r"""Break a command between its options with \, as it may be typed."""
     lines, line = list[str](), " "
     for word in _WORD.findall(command):
         if len(line) + 1 + len(word) > width - 2 and line.strip():

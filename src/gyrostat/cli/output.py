@@ -1,4 +1,4 @@
-"""Where a verb writes its results: standard output, or a file of a kind that is that of its name."""
+"""Writes the results of a verb to standard output, or to a file whose suffix says its kind."""
 import argparse
 import errno
 import os
@@ -95,9 +95,9 @@ def fitted(line: str, indent: str) -> str:
 
 @contextmanager
 def standard_streams() -> Iterator[None]:
-    """Nothing else gets the number of a closed stream.
+    """Open the null device for each closed stream, so that no file gets its number.
 
-    What a terminal cannot show of a help text is a question mark.
+    A character of a help text that the terminal cannot show becomes a question mark.
     """
     for number in (0, 1, 2):
         try:
@@ -137,7 +137,7 @@ def printed(text: str) -> None:
 
 
 def internal(error: BaseException, most: int) -> str:
-    """An error that is a bug, by its name and so many characters of what it says."""
+    """The name of an error that is a bug, with so many characters of its text."""
     text = " ".join(str(error).split())[:most]
     name = f"internal error, {type(error).__name__}"
     return f"{name}: {text}" if text else name
@@ -153,14 +153,14 @@ def told(text: str) -> None:
 
 
 def silenced() -> None:
-    """Nothing more goes to standard output, which cannot be written: not even what is still held back."""
+    """Discard what goes to standard output, which cannot be written, and what is still held back."""
     with suppress(OSError, ValueError, AttributeError):    # there is none, or it is no file
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
 def file_of(out: Output, what: str, kinds: Sequence[str], names: str,
             extras: Mapping[str, str] = MappingProxyType({})) -> Path:
-    """The file to write, of a kind that there is; the packages for it and what else is needed are there."""
+    """The file to write, if its suffix is known and the packages that it needs are installed."""
     if out.path is None:
         raise ValuesError(f"--output is missing, and a {what} is written to a file: name {names}")
     path = Path(out.path)
@@ -173,7 +173,7 @@ def file_of(out: Output, what: str, kinds: Sequence[str], names: str,
 
 @contextmanager
 def printed_look() -> Iterator[None]:
-    """Pictures with the letters, sizes and lines of a paper."""
+    """Draw pictures with the letters, sizes and lines of a paper."""
     from matplotlib import style
     # in an archive, too, where Matplotlib does not find it by its name
     with as_file(files("gyrostat.plotting") / "paper.mplstyle") as path, style.context(path):

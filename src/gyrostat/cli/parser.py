@@ -121,7 +121,7 @@ def parser() -> argparse.ArgumentParser:
 
 
 def _motion(verb: argparse.ArgumentParser) -> None:
-    """A body, its state and times."""
+    """Declare the options of a body, its state and its times."""
     a_scene(verb, "I1, I3 or I1, I2, I3; l or l1, l2, l3; the names in U",
            "none for a free body")
     verb.add_argument("--state", metavar="PI1,PI2,PI3,K1,K2,K3",
@@ -143,7 +143,7 @@ def _motion(verb: argparse.ArgumentParser) -> None:
 
 
 def _kinds(plot: Parser) -> list[Parser]:
-    """The pictures and what each needs."""
+    """Declare the pictures, each with its options."""
     kinds = plot.add_subparsers(dest="kind", required=True, metavar="KIND")
     sphere, nutation, well, branches, rotors, staude, plane, amended, diagram, eigenvalues, cones = (
         kinds.add_parser(name, help=line, description=sentences, formatter_class=Formatter)
@@ -188,14 +188,14 @@ def _kinds(plot: Parser) -> list[Parser]:
 
 
 def _line(text: str) -> int:
-    """The number of a line."""
+    """Read the number of a line."""
     if not text.isdecimal() or not int(text[:18]):
         raise argparse.ArgumentTypeError(f"{text} is not the number of a line: give 1 or more")
     return int(text[:18])
 
 
 def _seconds(text: str) -> float | None:
-    """Seconds, or None for none."""
+    """Read seconds; None stands for no limit."""
     try:
         seconds = math.inf if text == "none" else float(text)
     except ValueError:

@@ -1,4 +1,4 @@
-"""A verb carried out: its exit status, and one line on standard error for whatever comes in between."""
+"""Carries out a verb: returns the exit status, and tells an error in one line on standard error."""
 import argparse
 import errno
 import gc
@@ -53,7 +53,7 @@ def carried_out(given: argparse.Namespace, limited: bool) -> int:
 
 
 def _loaded(verb: str, own: bool) -> ModuleType:
-    """The module of a verb, with what it needs; in a process of its own never searched for garbage."""
+    """Import the module of a verb; in a process of its own it is never searched for garbage."""
     if own:
         gc.disable()
     module = import_module(f".verbs.{verb}", __package__)
@@ -64,7 +64,7 @@ def _loaded(verb: str, own: bool) -> ModuleType:
 
 
 def _kept(given: argparse.Namespace) -> str:
-    """What is left of a verb that was interrupted, and how to go on."""
+    """Say what is left of a verb that was interrupted, and how to go on."""
     if given.output is None:
         return "nothing is kept, the same command begins anew"
     if given.output.endswith(".zarr"):

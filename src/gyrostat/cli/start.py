@@ -1,4 +1,4 @@
-"""Ctrl-C while the command line is being loaded: one line and exit status 130, as later on."""
+"""Answers Ctrl-C while the command line is being loaded: with one line and exit status 130, as later on."""
 import os
 import signal
 import sys

@@ -1,4 +1,4 @@
-"""A verb in a process of its own, ended when its time is over, and what a signal does to both."""
+"""Runs a verb in a process of its own, ends it when its time is over, and handles signals to both."""
 import os
 import signal
 import subprocess
@@ -20,14 +20,14 @@ ENDING = [getattr(signal, name) for name in ("SIGTERM", "SIGHUP") if hasattr(sig
 
 
 class Interrupted(KeyboardInterrupt):
-    """The process is asked to end.
+    """Raised when a signal asks the process to end.
 
     Parameters
     ----------
     status : int
-        of exit, 128 and the signal
+        the exit status: 128 plus the number of the signal
     kept : str
-        what is kept, and how to go on; empty where nothing is
+        what is kept, and how to go on; empty if nothing is
     """
 
     def __init__(self, status: int, kept: str = ""):
@@ -42,9 +42,9 @@ def interrupted(error: KeyboardInterrupt, kept: str) -> Interrupted:
 
 @contextmanager
 def signals() -> Iterator[None]:
-    """SIGTERM and SIGHUP are exceptions, as Ctrl-C is.
+    """Raise an exception for SIGTERM and SIGHUP, as for Ctrl-C.
 
-    Afterwards, when all is said, Ctrl-C does nothing more.
+    After the block everything is said, and Ctrl-C is ignored.
     """
     def end(number: int, _: Any) -> None:
         raise Interrupted(128 + number)
@@ -64,7 +64,7 @@ def signals() -> Iterator[None]:
 
 @contextmanager
 def held_back() -> Iterator[None]:
-    """Signals come after the block."""
+    """Hold signals back until the block ends."""
     if not hasattr(signal, "pthread_sigmask"):
         yield
         return
@@ -76,7 +76,7 @@ def held_back() -> Iterator[None]:
 
 
 def left_alone() -> None:
-    """In a process that another one waits for: Ctrl-C, which goes to both, is for the other."""
+    """Ignore Ctrl-C in a process that another one waits for: it goes to both, and the other answers it."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     for number in ENDING:
         signal.signal(number, signal.SIG_DFL)
@@ -85,7 +85,7 @@ def left_alone() -> None:
 
 
 def limited(seconds: float | None) -> None:
-    """End this process, by the system, when so many seconds and some grace are over; None: never."""
+    """Let the system end this process after so many seconds and some grace; None stands for no limit."""
     if hasattr(signal, "setitimer"):
         signal.setitimer(signal.ITIMER_REAL, 0.0 if seconds is None else seconds + GRACE)
 
@@ -128,13 +128,13 @@ def watched(verb: str, seconds: float, output: str | None) -> None:
 
 
 def too_long(seconds: float) -> str:
-    """What is said where the time is over."""
+    """The message for a time that is over."""
     return (f"no answer within {seconds:g} s: give more time, --timeout {10 * seconds:g} or --timeout none, "
             "or simpler numbers")
 
 
 def _waited(process: int, reading: int, end: float, line: Waiting) -> int | None:
-    """How the process ended, None where it has not until the end of its time."""
+    """Wait for the process: how it ended, or None if it still works when its time is over."""
     while (left := end - monotonic()) > 0:
         if select([reading], [], [], min(left, 0.5))[0]:
             return os.waitstatus_to_exitcode(os.waitpid(process, 0)[1])
@@ -156,7 +156,7 @@ def _tidied(output: str | None, process: int) -> None:
 
 
 def _repeated(verb: str, seconds: float, arguments: Sequence[str]) -> int:
-    """The same in another interpreter, where a process cannot be doubled."""
+    """Run the verb in another interpreter, on a system that cannot fork a process."""
     try:
         return subprocess.run([sys.executable, "-m", "gyrostat", *arguments, "--timeout=none"],
                               timeout=seconds).returncode

@@ -1,4 +1,4 @@
-"""The arcs of permanent rotations in doubles: k, omega and sigma along them."""
+"""Evaluates arcs of permanent rotations in doubles: k, omega and sigma along them."""
 from collections.abc import Callable
 from fractions import Fraction
 from itertools import pairwise
@@ -20,7 +20,7 @@ def moves(arc: Arc) -> bool:
 
 
 def changes_of(arc: Arc) -> list[tuple[Expr, str]]:
-    """Each value at which what is proved changes, and from what to what, in the order of the verdicts."""
+    """Return each value at which the verdict or its reason changes, and the two verdicts, stable first."""
     order, found = list(Verdict), []
     for one, two in pairwise(arc.pieces):
         if one.decision.reason != two.decision.reason:
@@ -32,27 +32,27 @@ def changes_of(arc: Arc) -> list[tuple[Expr, str]]:
 
 
 def along(arc: Arc, values: Array) -> tuple[Array, Array, Array]:
-    """k of shape (n, 3), omega and sigma at values of the parameter; without a rotor omega is positive."""
+    """Return k, shape (n, 3), omega and sigma at values of the parameter; without a rotor omega > 0."""
     near = [arc.near(Fraction(x)) for x in values.tolist()]
     k, omega, sigma = map(np.array, zip(*near)) if near else (np.zeros((0, 3)), values, values)
     return k, omega, sigma
 
 
 def directions(arc: Arc, piece: Piece, step: float) -> Array:
-    """k along a piece, its ends with it, none further from the next than a step; shape (n, 3)."""
+    """Return k along a piece with its ends, shape (n, 3), no two neighbours further apart than a step."""
     first, last = (floats(end.k) if at == own else along(arc, np.array([float(at)]))[0][0]
                    for end, at, own in zip(arc.ends, (piece.low, piece.high), (arc.low, arc.high)))
     return halved(lambda t: along(arc, placed(arc, piece, t))[0], first, last, step)
 
 
 def halved(place: Callable[[Array], Array], first: Array, last: Array, step: float) -> Array:
-    """Places at values from 0 to 1, halved where two are further apart than a step."""
+    """Return places at values from 0 to 1; between two that are further apart than a step, one more."""
     t = np.linspace(0, 1, FIRST)
     return refined(place, t, np.vstack([first, place(t[1:-1]), last]), step, ROUNDS)
 
 
 def placed(arc: Arc, piece: Piece, t: Array) -> Array:
-    """Values of the parameter between the ends of a piece, for t between 0 and 1."""
+    """Map t between 0 and 1 to values of the parameter between the ends of a piece, finite or not."""
     low, high, size = float(piece.low), float(piece.high), _size(arc)
     if piece.low == -oo and piece.high == oo:
         return size * np.tan(np.pi * (t - 0.5))
@@ -62,7 +62,7 @@ def placed(arc: Arc, piece: Piece, t: Array) -> Array:
 
 
 def _size(arc: Arc) -> float:
-    """A usual value of the parameter: a moment for tau, for omega a rate."""
+    """Return a scale of the parameter: the sum of the moments for tau, a rate of the body for omega."""
     body = arc.scene.body
     moment = sum(map(float, body.moments))
     if arc.both_ways:
@@ -74,5 +74,5 @@ def _size(arc: Arc) -> float:
 
 
 def floats(k: tuple[Expr, ...]) -> Array:
-    """A direction in doubles."""
+    """Return a direction in doubles."""
     return np.array([float(x) for x in k])

@@ -1,4 +1,4 @@
-"""The amended potential on the sphere of directions: level curves, and its critical points with verdicts."""
+"""Draws the amended potential on the sphere of directions: level curves, critical points, verdicts."""
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -15,7 +15,7 @@ from ..mechanics.scenes.potential import DIRECTIONS
 from ..mechanics.scenes.system import System
 from ..stability.decision import Verdict
 from .captions import BEHIND, headed
-from .globe import across, circle, curves_of, dots_of, stage
+from .globe import across, circle, curves_of, dots_of, numbers_on, stage
 from .headings import of_scene
 from .looks import BLUE, DARK, axes_of, label, line, marker
 from .scene_numbers import numbers_of
@@ -32,9 +32,11 @@ def draw_amended_potential(scene: System, values: Mapping[str, Any] | None = Non
                            **kwargs: Any) -> Any:
     """Draw U + (C1 − l·k)²/(2 k·Ik) on the sphere abs(k) = 1, seen as ax.view_init says.
 
-    Along a level curve the amended potential is constant; those through saddles are heavy. Marked are its
-    critical points, the permanent rotations on that level of C1: triangles down at minima, up at maxima,
-    diamonds at saddles; filled: stable; open: unstable; half filled: undecided. What is behind is faded.
+    Along a level curve the amended potential is constant, and the curves through saddles are heavy. Marks are
+    its critical points, the permanent rotations on that level of C1: triangles point down at minima and up at
+    maxima, and diamonds are saddles. A filled mark is stable, an open one unstable, a half-filled one
+    undecided. Its number is that in the list of relative_equilibria at C1, and in the table of gyrostat
+    decide. What is behind is faded.
 
     Parameters
     ----------
@@ -71,8 +73,9 @@ def draw_amended_potential(scene: System, values: Mapping[str, Any] | None = Non
     >>> import gyrostat as gs
     >>> from matplotlib.figure import Figure
     >>> U = gs.general_potential(lambda k1, k2, k3: k1 + k2 + k3)
-    >>> ax = gs.plotting.draw_amended_potential(gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 1)), U), {"C1": 5},
-    ...                                         Figure().add_subplot(projection="3d"))
+    >>> scene = gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 1)), U)
+    >>> sphere = Figure().add_subplot(projection="3d")
+    >>> ax = gs.plotting.draw_amended_potential(scene, {"C1": 5}, sphere)
     >>> [text.get_text() for text in ax.get_legend().get_texts()][:3]
     ['level curve', 'through a saddle', 'minimum, stable']
     """
@@ -87,13 +90,14 @@ def draw_amended_potential(scene: System, values: Mapping[str, Any] | None = Non
     saddles = [point for point in points if point.kind == "saddle" and not point.rotation.locus]
     through = _separatrices(potential, np.array([_place(point) for point in saddles]))
     handles += curves_of(ax, through, heavy, "through a saddle", eye)
+    numbers_on(ax, [(n, _place(point)) for n, point in enumerate(points, 1)], eye)
     headed(ax, "Amended potential on the sphere of directions", of_scene(scene, values or {}),
            [*handles, *_marked(ax, points, eye)], after=BEHIND)
     return ax
 
 
 def _marked(ax: Any, points: Sequence[CriticalPoint], eye: Array) -> list[Any]:
-    """The critical points by kind and verdict, curves as lines; what stands in the legend for them."""
+    """Draw the critical points by kind and verdict; what stands in the legend for them."""
     handles: list[Any] = []
     for point in points:
         if point.rotation.locus:

@@ -1,4 +1,4 @@
-"""The body turning, as an animation, and its file."""
+"""Animates the turning body along an exact motion, and writes the animation to a file."""
 from errno import EIO
 from os import PathLike
 from pathlib import Path
@@ -65,9 +65,11 @@ def animate_top(motion: Motion, times: Any, ax: Any = None, **kwargs: Any) -> An
     >>> import numpy as np
     >>> import tempfile
     >>> from matplotlib.figure import Figure
-    >>> box = gs.trajectories.motion(gs.assemble(gs.Gyrostat((1, 2, "5/2"), (0, 0, 0))), ("1/100", 2, 0))
-    >>> animation = gs.plotting.animate_top(box, np.linspace(0, 60, 4),
-    ...                                     Figure(figsize=(2, 2)).add_subplot(projection="3d"), interval=50)
+    >>> box = gs.assemble(gs.Gyrostat((1, 2, "5/2"), (0, 0, 0)))
+    >>> thrown = gs.trajectories.motion(box, ("1/100", 2, 0))
+    >>> ax = Figure(figsize=(2, 2)).add_subplot(projection="3d")
+    >>> times = np.linspace(0, 60, 4)
+    >>> animation = gs.plotting.animate_top(thrown, times, ax, interval=50)
     >>> with tempfile.TemporaryDirectory() as folder:
     ...     gs.plotting.save_animation(animation, f"{folder}/box.gif")
     """
@@ -97,7 +99,7 @@ def animate_top(motion: Motion, times: Any, ax: Any = None, **kwargs: Any) -> An
 
 
 def _form(times: Any) -> str:
-    """So many decimals that two times are two numbers."""
+    """Return a format with so many decimals that two different times are two texts."""
     steps = np.abs(np.diff(np.asarray(times, dtype=float)))
     least = steps[steps > 0].min(initial=np.inf)
     return f".{int(np.clip(np.ceil(-np.log10(least)), 0, 12))}f" if np.isfinite(least) else "g"
@@ -121,7 +123,7 @@ def attitudes(motion: Motion, times: Any) -> tuple[Array, Array, int, int]:
 
 @checked
 def save_animation(animation: Any, path: str | PathLike[str], fps: int = 25) -> None:
-    """Write an animation: .gif by Pillow, .mp4 by ffmpeg, where that program is installed.
+    """Write an animation: a .gif by Pillow, or an .mp4 by ffmpeg, if that program is installed.
 
     Parameters
     ----------
@@ -148,10 +150,12 @@ def save_animation(animation: Any, path: str | PathLike[str], fps: int = 25) -> 
     >>> import gyrostat as gs
     >>> import tempfile
     >>> from matplotlib.figure import Figure
-    >>> box = gs.trajectories.motion(gs.assemble(gs.Gyrostat((1, 2, "5/2"), (0, 0, 0))), ("1/100", 2, 0))
+    >>> box = gs.assemble(gs.Gyrostat((1, 2, "5/2"), (0, 0, 0)))
+    >>> thrown = gs.trajectories.motion(box, ("1/100", 2, 0))
     >>> ax = Figure(figsize=(1, 1)).add_subplot(projection="3d")
+    >>> animation = gs.plotting.animate_top(thrown, [0, 1], ax)
     >>> with tempfile.TemporaryDirectory() as folder:
-    ...     gs.plotting.save_animation(gs.plotting.animate_top(box, [0, 1], ax), f"{folder}/box.gif")
+    ...     gs.plotting.save_animation(animation, f"{folder}/box.gif")
     """
     optional("matplotlib", "plot")
     from matplotlib.animation import FFMpegWriter, PillowWriter

@@ -1,4 +1,4 @@
-"""The attitudes in which a satellite rests, on the sphere of the directions of its body."""
+"""Draws the attitudes in which a satellite rests, on the sphere of directions in its body."""
 from collections.abc import Mapping, Sequence
 from typing import Any
 
@@ -15,7 +15,7 @@ from ..mechanics.scenes.kind import Kind
 from ..mechanics.scenes.system import System
 from ..stability.decision import Verdict
 from .captions import BEHIND, headed
-from .globe import circle, curve_on, dots_on, stage
+from .globe import circle, curve_on, dots_on, numbers_on, stage
 from .headings import of_scene
 from .legends import named
 from .looks import GREY, axes_of, label, marker, meaning
@@ -30,7 +30,8 @@ def draw_attitudes(scene: System, values: Mapping[str, Any] | None = None, ax: A
     """Draw every attitude in which a gyrostat satellite rests, by its vertical in the body.
 
     From a dot at r, as it is seen from the body, a line goes along n, the normal of the orbit, to a marker
-    that says the verdict. Those with −r are on the other side. What is behind is faded.
+    that shows the verdict. The number of the marker is that in the list of relative_equilibria, and in the
+    table of gyrostat decide. The attitudes with −r are on the other side. What is behind is faded.
 
     Parameters
     ----------
@@ -62,8 +63,10 @@ def draw_attitudes(scene: System, values: Mapping[str, Any] | None = None, ax: A
     --------
     >>> import gyrostat as gs
     >>> from matplotlib.figure import Figure
-    >>> satellite = gs.assemble(gs.Gyrostat((1, "5/4", "8/5"), ("3/10", "1/5", "1/10")), gs.circular_orbit(1))
-    >>> ax = gs.plotting.draw_attitudes(satellite, ax=Figure().add_subplot(projection="3d"))
+    >>> body = gs.Gyrostat((1, "5/4", "8/5"), ("3/10", "1/5", "1/10"))
+    >>> satellite = gs.assemble(body, gs.circular_orbit(1))
+    >>> sphere = Figure().add_subplot(projection="3d")
+    >>> ax = gs.plotting.draw_attitudes(satellite, ax=sphere)
     >>> [text.get_text() for text in ax.get_legend().get_texts()]
     ['stable', 'unstable', '$n$ from $r$']
     """
@@ -86,6 +89,9 @@ def draw_attitudes(scene: System, values: Mapping[str, Any] | None = None, ax: A
         curve_on(ax, ends, eye, color=looks[verdict]["color"], linewidth=1.1)
         dots_on(ax, r, eye, color=GREY, marker=".", linestyle="none", markersize=4)
         dots_on(ax, r + LENGTH * n, eye, **looks[verdict])
+    along = [np.array(_doubles(form.n)) for form, _ in found]
+    numbers_on(ax, [(n, np.array(_doubles(form.r)) + LENGTH * way)
+                    for n, ((form, _), way) in enumerate(zip(found, along), 1)], eye, ways=along)
     decisions = [decision for _, decision in found]
     headed(ax, "Attitudes in which a satellite rests, by the vertical $r$ and the normal $n$ of its orbit in "
            "the body", of_scene(scene, values or {}),

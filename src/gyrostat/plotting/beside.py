@@ -11,12 +11,14 @@ GAPS = (2.0, 5.0, 9.0)                                 # points between the edge
 STEP = 2.0                                             # pixels between the points of a curve that count
 SIDES = ((1, 0), (1, 1), (-1, 0), (-1, 1), (1, -1), (-1, -1), (0, 1), (0, -1))
 
+Place = tuple[float, float] | Array
+
 
 class Marks(NamedTuple):
     """Marks of one kind: what stands for them in a legend, and their places in the data of the axes."""
 
     handle: Any
-    places: Sequence[tuple[float, float]]
+    places: Sequence[Place]
 
 
 def written_beside(ax: Any, marks: Sequence[Marks]) -> tuple[list[Any], list[Marks]]:
@@ -40,7 +42,7 @@ def written_beside(ax: Any, marks: Sequence[Marks]) -> tuple[list[Any], list[Mar
     return names, left
 
 
-def written_at(ax: Any, texts: Sequence[tuple[str, tuple[float, float]]], size: float) -> None:
+def written_at(ax: Any, texts: Sequence[tuple[str, Place]], size: float) -> None:
     """Write a text beside each place, a mark of a size in points: where there is room, else right above it.
     """
     taken = _obstacles(ax)
@@ -52,7 +54,7 @@ def written_at(ax: Any, texts: Sequence[tuple[str, tuple[float, float]]], size: 
             taken = np.concatenate([taken, box])
 
 
-def _text(ax: Any, said: str, place: tuple[float, float]) -> Any:
+def _text(ax: Any, said: str, place: Place) -> Any:
     """A text at a place in the data, in the letters of a legend."""
     return ax.annotate(said, place, xytext=(0, 0), textcoords="offset points",
                        fontsize=optional("matplotlib", "plot").rcParams["legend.fontsize"])
@@ -63,8 +65,7 @@ def _distance(place: Array, others: Sequence[Array]) -> float:
     return min((float(np.linalg.norm(place - other)) for other in others), default=np.inf)
 
 
-def _put(ax: Any, name: Any, places: Sequence[tuple[float, float]], size: float,
-         taken: Array) -> Array | None:
+def _put(ax: Any, name: Any, places: Sequence[Place], size: float, taken: Array) -> Array | None:
     """Move a name to the first free box beside one of its marks; points on the box, or None."""
     pixels = ax.get_figure(root=True).dpi / 72
     name.xy = places[0]

@@ -1,6 +1,6 @@
-"""Relative equilibria against a parameter, with their stability and the points where they change or meet.
+"""Draws relative equilibria against a parameter, with their stability and the points where they meet.
 
-Of a body of revolution in a field their tilts, of a free gyrostat M along an axis, or ν.
+Upwards is the tilt for a body in a field, and M along an axis, or ν, for a free gyrostat.
 """
 from collections.abc import Callable, Mapping
 from typing import Any
@@ -45,19 +45,20 @@ def draw_bifurcation_diagram(scene: System, name: str, ends: tuple[Any, Any], va
                              ax: Any = None, **kwargs: Any) -> Any:
     """Draw every relative equilibrium against one parameter, with its stability.
 
-    Of a body of revolution in a field k3 of E1, E2 and E3 at fixed rotor and rate about the vertical.
+    For a body of revolution in a field it draws k3 of E1, E2 and E3 at a fixed rotor and rate about the
+    vertical. Solid is stable, dashed unstable, dotted undecided; E3 is stable modulo the spin about the axis
+    of the body. At a full mark stability changes: "fold on a level" of E3, "precessions leave E1". At an open
+    mark branches meet at this rotor and rate, and stability does not change: branches of E3 fold, or come to
+    E1 or E2. An E3 that is alone at its value is a circle, as in the other pictures.
 
-    Solid: stable; dashed: unstable; dotted: undecided; E3 modulo the spin about the axis of the body. A full
-    mark is a change of stability: "fold on a level" of E3, "precessions leave E1". An open mark is a meeting
-    without one, at this rotor and rate: branches of E3 fold, or come to E1 or E2. An E3 without others beside
-    it is a circle as in the other pictures.
+    For any other body in a field it draws k3 of the permanent rotations at omega. At a full mark the form is
+    singular, or two frequencies meet.
 
-    Of any other body in a field the permanent rotations at omega, k3 of them: a full mark is a form that is
-    singular, or two frequencies that meet.
+    For a free gyrostat it draws the permanent rotations on a momentum sphere: M along an axis against the
+    component of the rotor along this axis, or ν with ω = ν M against any other parameter. A mark stands where
+    rotations meet; lines without a mark cross in the picture only.
 
-    Of a free gyrostat the permanent rotations on a momentum sphere: against a component of the rotor M along
-    its axis, against anything else ν, ω = ν M. A mark stands where rotations meet; lines that cross without
-    one do so in the picture alone.
+    The name of each kind of mark stands beside one of them, or in the legend if there is no room.
 
     Parameters
     ----------
@@ -92,8 +93,9 @@ def draw_bifurcation_diagram(scene: System, name: str, ends: tuple[Any, Any], va
     >>> import gyrostat as gs
     >>> from matplotlib.figure import Figure
     >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
-    >>> ax = gs.plotting.draw_bifurcation_diagram(top, "omega", (0, 3), {"I1": 2, "I3": 1, "l": 0, "m0": -1},
-    ...                                           Figure().subplots())
+    >>> values = {"I1": 2, "I3": 1, "l": 0, "m0": -1}
+    >>> ax = gs.plotting.draw_bifurcation_diagram(
+    ...     top, "omega", (0, 3), values, Figure().subplots())
     >>> sorted(text.get_text() for text in ax.texts)
     ['E1', 'E2', 'E3', 'E3 leaves E1', 'precessions leave E2']
     """

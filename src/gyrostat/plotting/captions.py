@@ -1,4 +1,4 @@
-"""Captions for a paper: what a picture shows, of which scene, and what its looks mean, as LaTeX text."""
+"""Writes captions for a paper, as LaTeX: what a picture shows, of which scene, and what its looks mean."""
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -80,13 +80,16 @@ def caption(ax: Any) -> str:
     Examples
     --------
     >>> import gyrostat as gs
+    >>> import textwrap
     >>> from matplotlib.figure import Figure
     >>> body = gs.assemble(gs.Gyrostat((1, 2, 3)))
-    >>> ax = gs.plotting.draw_rotor_set(body, {"l3": 0, "M": 1}, Figure().subplots())
-    >>> print(gs.plotting.caption(ax).replace(". ", ".\n"))
-    Bifurcation set of a free gyrostat: $l_3 = 0$, $I_1 = 1$, $I_2 = 2$, $I_3 = 3$, $|M| = 1$.
-    Solid dark lines: fold; dash-dotted blue lines: pitchfork.
-    The number in each region is that of the permanent rotations.
+    >>> values, axes = {"l3": 0, "M": 1}, Figure().subplots()
+    >>> ax = gs.plotting.draw_rotor_set(body, values, axes)
+    >>> print(textwrap.fill(gs.plotting.caption(ax), 68))
+    Bifurcation set of a free gyrostat: $l_3 = 0$, $I_1 = 1$, $I_2 = 2$,
+    $I_3 = 3$, $|M| = 1$. Solid dark lines: fold; dash-dotted blue
+    lines: pitchfork. The number in each region is that of the permanent
+    rotations.
     """
     require(ax, optional("matplotlib.axes", "plot").Axes, "ax")
     if (kept := getattr(ax, "gyrostat_caption", None)) is None:

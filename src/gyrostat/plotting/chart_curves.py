@@ -1,4 +1,4 @@
-"""Curves of charts: the boundary, and in windows, which gyroscopic forces hold, resonances and D4 = 0."""
+"""Draws curves of charts: the boundary, and in gyroscopically stabilised windows resonances and D4 = 0."""
 from collections.abc import Sequence
 from typing import Any
 

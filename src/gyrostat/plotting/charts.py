@@ -1,4 +1,4 @@
-"""Pictures of charts: stable light, unstable dark, undecided hatched, the boundary a black line."""
+"""Draws stability charts: stable is light, unstable dark, undecided hatched, the boundary a black line."""
 from collections.abc import Iterable, Mapping
 from typing import Any
 
@@ -52,9 +52,10 @@ def draw_chart(ds: Any, ax: Any = None, **kwargs: Any) -> Any:
     >>> import gyrostat as gs
     >>> import numpy as np
     >>> from matplotlib.figure import Figure
-    >>> top = gs.analyze(gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())))
-    >>> chart = gs.charts.stability_chart(top, x=("pi3_0", np.linspace(-4, 4, 80)),
-    ...                                   y=("l", np.linspace(-2, 2, 60)), fixed={"I1": 1, "m0": 1})
+    >>> scene = gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
+    >>> chart = gs.charts.stability_chart(
+    ...     gs.analyze(gs.upright(scene)), x=("pi3_0", np.linspace(-4, 4, 80)),
+    ...     y=("l", np.linspace(-2, 2, 60)), fixed={"I1": 1, "m0": 1})
     >>> gs.plotting.draw_chart(chart, Figure().subplots()).get_xlabel()
     '$\\pi_3^0$ $[\\mathrm{M\\,L^{2}\\,T^{-1}}]$'
     """
@@ -96,7 +97,7 @@ def draw_chart(ds: Any, ax: Any = None, **kwargs: Any) -> Any:
 
 
 def _said(ds: Any) -> tuple[list[str], list[str]]:
-    """The equilibrium and U; what is fixed, and what the others determine."""
+    """Return the equilibrium and U, and the names that are fixed or determined by the others."""
     latex = ds.attrs.get("potential_latex", "")
     names = sorted((name for name, c in ds.coords.items() if c.ndim == 0), key=order)
     fixed = [f"${ds[name].attrs.get('latex', name)} = {number(ds[name].item(), _exact(ds[name]))}$"

@@ -1,6 +1,6 @@
-"""The cones on which the angular velocity of a free body of revolution moves.
+"""Draws the cones on which the angular velocity of a free body of revolution moves.
 
-One fixed in the body rolls on one fixed in space.
+The body cone, which is fixed in the body, rolls on the space cone, which is fixed in space.
 """
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -34,11 +34,11 @@ class Cone:
     angle: float
 
     def rim(self) -> Array:
-        """The generators of length 1, end points, shape (121, 3)."""
+        """Return the end points of its generators of length 1, shape (121, 3)."""
         return circle(self.axis, np.sin(self.angle), np.cos(self.angle), 121)
 
     def outline(self, eye: Array) -> Array:
-        """End points of the generators at the edge of the cone as it is seen, shape (2 or 0, 3)."""
+        """Return the end points of the generators that are its outline, as it is seen, shape (2 or 0, 3)."""
         first, second = across(self.axis)
         along, x, y = self.axis @ eye, first @ eye, second @ eye
         steep, aside = np.tan(self.angle) * along, np.hypot(x, y)
@@ -84,9 +84,8 @@ def _tilted(angle: float) -> Array:
 def draw_cones(inertia: Sequence[Any], transverse: Any, axial: Any, ax: Any = None, **kwargs: Any) -> Any:
     r"""Draw the cones of a free body of revolution, seen as ax.view_init says.
 
-    The body cone rolls on the space cone.
-
-    They touch along ω. The body cone lies outside where I1 > I3, around the space cone where I1 < I3.
+    The body cone rolls on the space cone, and they touch along ω. The body cone lies outside if I1 > I3, and
+    around the space cone if I1 < I3.
 
     Parameters
     ----------
@@ -122,7 +121,8 @@ def draw_cones(inertia: Sequence[Any], transverse: Any, axial: Any, ax: Any = No
     --------
     >>> import gyrostat as gs
     >>> from matplotlib.figure import Figure
-    >>> ax = gs.plotting.draw_cones((2, 1), 1, 2, ax=Figure().add_subplot(projection="3d"))
+    >>> space = Figure().add_subplot(projection="3d")
+    >>> ax = gs.plotting.draw_cones((2, 1), 1, 2, ax=space)
     >>> [text.get_text() for text in ax.texts]
     ['$M$', '$\\omega$', '$e_{3}$']
     """

@@ -1,4 +1,4 @@
-"""The effective potential of a body of revolution in U(k3) on a level of its momenta."""
+"""Draws the effective potential of a body of revolution in U(k3) on a level of its momenta."""
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -21,11 +21,12 @@ from ..mechanics.scenes.system import System
 from ..notation import symbol
 from ..printing.letters import letters_of
 from ..stability.decision import Verdict
+from .beside import written_at
 from .captions import headed
 from .globe import dots_of
 from .headings import of_scene
-from .legends import named
-from .looks import BLUE, DARK, GREY, axes_of, axis, label, marker, meaning
+from .legends import named, room
+from .looks import BLUE, DARK, GREY, MARKER, axes_of, axis, label, marker, meaning
 from .scene_numbers import numbers_of
 
 THETA = symbol("theta")
@@ -40,7 +41,7 @@ class Well:
     ----------
     theta, height : arrays, shape (n,)
         V at angles inside (0, π), close together beside what is special; NaN where U is infinite
-    equilibria : list of (theta, V, RelativeEquilibrium)
+    equilibria : list of (theta, V, number in the list of relative_equilibria, RelativeEquilibrium)
     turning_points : list of Expr
         exact k3 at which V is the energy
     reach : list of (Expr, Expr)
@@ -51,15 +52,14 @@ class Well:
 
     theta: Array
     height: Array
-    equilibria: list[tuple[float, float, RelativeEquilibrium]]
+    equilibria: list[tuple[float, float, int, RelativeEquilibrium]]
     turning_points: list[Expr]
     reach: list[tuple[Expr, Expr]]
     level: bool
 
 
 def well(scene: System, values: Mapping[str, Any], energy: Any = None) -> Well:
-    """V(θ), its critical points with their verdicts, exact and complete, and where a motion of an energy
-    goes.
+    """Return V(θ), its critical points with their verdicts, exact and complete, and the reach of an energy.
 
     Parameters
     ----------
@@ -71,7 +71,7 @@ def well(scene: System, values: Mapping[str, Any], energy: Any = None) -> Well:
     >>> import gyrostat as gs
     >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
     >>> found = well(top, {"I1": 1, "I3": "1/2", "l": 0, "m0": 1, "p_phi": 2, "p_psi": 3}, energy=10)
-    >>> [branch.decision.verdict.name for _, _, branch in found.equilibria]
+    >>> [branch.decision.verdict.name for *_, branch in found.equilibria]
     ['STABLE']
     >>> [round(float(k3), 4) for k3 in found.turning_points]
     [0.2843, 0.7957]
@@ -87,13 +87,13 @@ def well(scene: System, values: Mapping[str, Any], energy: Any = None) -> Well:
     infinite = real_roots(together(field).as_numer_denom()[1], K3, S.NegativeOne, S.One) or []
     forms = revolution_forms(scene, scenes | level)
     found = []
-    for form in forms:
+    for n, form in enumerate(forms, 1):
         if not form.every:
             # there (p_φ − p_ψ cos θ)²/sin² θ is 0/0, with the limit 0
             pole = form.k3**2 == 1
             at = motion.axial + motion.system.potential.expression if pole else motion.effective_potential()  # type: ignore[union-attr]
             height = in_floats(at.xreplace({**numbers, K3: form.k3}), np, {})
-            found.append((float(np.arccos(float(form.k3))), float(height), RelativeEquilibrium(form)))
+            found.append((float(np.arccos(float(form.k3))), float(height), n, RelativeEquilibrium(form)))
     turning_points, reach = [], []
     if energy is not None:
         g = motion.square().xreplace(dict(numbers)).xreplace({ENERGY: exact_number(energy, "energy")})
@@ -102,7 +102,7 @@ def well(scene: System, values: Mapping[str, Any], energy: Any = None) -> Well:
         reach = [(a, b) for a, b in zip(ends, ends[1:])
                  if sign_of_constant(g.xreplace({K3: between(a, b)})) == 1]
     beside = [float(np.arccos(float(k3))) for k3 in (*turning_points, *infinite)]
-    beside += [theta for theta, _, _ in found]
+    beside += [theta for theta, *_ in found]
     theta = _angles([0.0, np.pi, *beside])
     height = np.array(np.broadcast_to(in_floats(potential, np, {THETA: theta}), theta.shape), dtype=float)
     for k3 in infinite:
@@ -126,8 +126,10 @@ def draw_effective_potential(scene: System, values: Mapping[str, Any], energy: A
                              **kwargs: Any) -> Any:
     r"""Draw V(θ) of a body of revolution on a level of its momenta: ½ I1 θ̇² + V = energy.
 
-    Filled, open and half-filled circles are the regular precessions, E1 and E2 on the level: stable,
-    unstable, undecided. At an energy, a line where θ can be, between the turning points.
+    Circles are the regular precessions, E1 and E2 on the level: filled if stable, open if unstable, half
+    filled if undecided. Their numbers are those in the list of relative_equilibria at pi3_0 and C1, and in
+    the table of gyrostat decide. If an energy is given, a line shows where θ can be, between its turning
+    points.
 
     Parameters
     ----------
@@ -164,8 +166,10 @@ def draw_effective_potential(scene: System, values: Mapping[str, Any], energy: A
     >>> import gyrostat as gs
     >>> from matplotlib.figure import Figure
     >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
-    >>> values = {"I1": 1, "I3": "1/2", "l": 0, "m0": 1, "p_phi": 2, "p_psi": 3}
-    >>> gs.plotting.draw_effective_potential(top, values, energy=10, ax=Figure().subplots()).get_xlabel()
+    >>> body = {"I1": 1, "I3": "1/2", "l": 0, "m0": 1}
+    >>> ax = gs.plotting.draw_effective_potential(
+    ...     top, body | {"p_phi": 2, "p_psi": 3}, energy=10, ax=Figure().subplots())
+    >>> ax.get_xlabel()
     '$\\theta$'
     """
     found = well(scene, values, energy)
@@ -176,7 +180,7 @@ def draw_effective_potential(scene: System, values: Mapping[str, Any], energy: A
     ax = axes_of(ax)
     style = {"color": DARK, "linewidth": 1.6, **kwargs}
     ax.plot(found.theta, found.height, **style)
-    heights = [height for _, height, _ in found.equilibria] + ([float(exact_number(energy, "energy"))]
+    heights = [height for _, height, *_ in found.equilibria] + ([float(exact_number(energy, "energy"))]
                                                                if energy is not None else [])
     finite = found.height[np.isfinite(found.height)]
     infinite = len(finite) < len(found.height)
@@ -187,7 +191,7 @@ def draw_effective_potential(scene: System, values: Mapping[str, Any], energy: A
     if energy is not None:
         handles.append(named(_energy(ax, found, heights[-1]), "motion at the energy"))
     for verdict in Verdict:
-        points = [(x, y) for x, y, branch in found.equilibria if branch.decision.verdict is verdict]
+        points = [(x, y) for x, y, _, branch in found.equilibria if branch.decision.verdict is verdict]
         decisions = [branch.decision for *_, branch in found.equilibria if branch.decision.verdict is verdict]
         handles += dots_of(ax, points, marker(verdict), meaning(verdict, decisions), clip_on=False)
     ax.set_xticks(np.pi / 4 * np.arange(5), ["$0$", r"$\pi/4$", r"$\pi/2$", r"$3\pi/4$", r"$\pi$"])
@@ -196,6 +200,8 @@ def draw_effective_potential(scene: System, values: Mapping[str, Any], energy: A
     shown = {} if energy is None else {letters.of("h"): energy}
     headed(ax, "Effective potential of a body of revolution", of_scene(scene, {**values, **shown}), handles,
            2)
+    room(ax)
+    written_at(ax, [(str(n), (x, y)) for x, y, n, _ in found.equilibria], MARKER)
     return ax
 
 

@@ -1,4 +1,4 @@
-"""Eigenvalues of an equilibrium in the complex plane, along a parameter."""
+"""Draws the eigenvalues of an equilibrium in the complex plane, along a parameter."""
 from collections.abc import Mapping, Sequence
 from typing import Any
 
@@ -62,9 +62,11 @@ def draw_eigenvalues(eq: Equilibrium, name: str, samples: Sequence[float], value
     >>> import gyrostat as gs
     >>> import numpy as np
     >>> from matplotlib.figure import Figure
-    >>> top = gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field()), spin="omega3_0")
-    >>> numbers, samples = {"I1": 1, "I3": "8/5", "l": 0, "m0": 1}, np.linspace(2, 0, 80)
-    >>> ax = gs.plotting.draw_eigenvalues(top, "omega3_0", samples, numbers, Figure().subplots())
+    >>> scene = gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
+    >>> top, numbers = gs.upright(scene, spin="omega3_0"), np.linspace(2, 0, 80)
+    >>> body = {"I1": 1, "I3": "8/5", "l": 0, "m0": 1}
+    >>> ax = gs.plotting.draw_eigenvalues(
+    ...     top, "omega3_0", numbers, body, Figure().subplots())
     >>> ax.get_xlabel()
     '$\\mathrm{Re}\\,\\lambda$ $[\\mathrm{T^{-1}}]$'
     """

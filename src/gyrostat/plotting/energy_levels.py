@@ -1,4 +1,4 @@
-"""Level curves of the energy of a free gyrostat on the momentum sphere abs(M) = const."""
+"""Follows level curves of the energy of a free gyrostat on the momentum sphere, by its exact motion."""
 from collections.abc import Sequence
 from itertools import pairwise
 
@@ -20,15 +20,15 @@ SHIFT, FLAT = 1e-12, 1e-8
 
 
 def floats(numbers: Sequence[Expr]) -> Array:
-    """Exact numbers in doubles."""
+    """Return exact numbers in doubles."""
     return np.array([float(in_floats(number, np, {})) for number in numbers])
 
 
 def energies_between(body: Gyrostat, points: Sequence[RelativeEquilibrium], count: int) -> Array:
-    """Energies for level curves.
+    """Choose energies for level curves, so many in each band between two critical energies.
 
-    Count in each band between the critical ones, as far from each other on the sphere, along the shortest arc
-    from an equilibrium at one end of the band to one at the other.
+    Along the shortest arc from an equilibrium at one end of the band to one at the other, the curves are at
+    equal distances on the sphere.
     """
     inertia, rotor = floats(body.moments), floats(body.gyrostatic_momentum)
     levels: dict[float, list[RelativeEquilibrium]] = {}
@@ -47,7 +47,7 @@ def energies_between(body: Gyrostat, points: Sequence[RelativeEquilibrium], coun
 
 
 def _nearest(point: RelativeEquilibrium, to: Array) -> Array:
-    """The equilibrium, of a circle of them that which is nearest to another point."""
+    """Return the equilibrium; for a circle of equilibria the one that is nearest to another point."""
     at = floats(point.momentum)
     if point.form.circle is None:
         return at
@@ -105,7 +105,7 @@ def level_curve(body: Gyrostat, points: Sequence[RelativeEquilibrium], radius: f
 
 
 def _normal(start: Array, end: Array) -> Array:
-    """The normal of the great circle from one point to another; of any where they are opposite."""
+    """Return the normal of the great circle through two points; if they are opposite, of any such circle."""
     aside = np.cross(start, end)
     if np.linalg.norm(aside) < 1e-9 * (start @ start):
         aside = np.cross(start, np.eye(3)[np.argmin(np.abs(start))])
@@ -114,7 +114,7 @@ def _normal(start: Array, end: Array) -> Array:
 
 def _on_arc(start: Array, end: Array, inertia: Array, rotor: Array,
             energy: float) -> tuple[Array, list[Array]]:
-    """The normal of a great circle from one point to another, and the points of the energy between them."""
+    """Return the normal of the great circle from one point to another, and its points at an energy."""
     normal = _normal(start, end)
     ahead = np.cross(normal, start)
     length = np.arctan2(end @ ahead, end @ start) % (2 * np.pi)

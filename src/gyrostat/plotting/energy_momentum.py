@@ -1,6 +1,6 @@
-"""The energy-momentum diagram of a body of revolution in U(k3).
+"""Draws the energy-momentum diagram of a body of revolution in U(k3).
 
-Critical values of (C1, h) at a fixed axial momentum.
+These are the critical values of (C1, h) at a fixed axial momentum.
 """
 from collections.abc import Mapping, Sequence
 from typing import Any
@@ -22,7 +22,7 @@ from .captions import headed
 from .globe import dots_of
 from .headings import of_scene
 from .legends import named, room
-from .looks import DARK, axes_of, axis, line, marker
+from .looks import DARK, MARKER, axes_of, axis, line, marker
 from .scene_numbers import numbers_of
 
 CELLS = 400                                                # of each axis, for the regions
@@ -31,7 +31,7 @@ BANDS = ("#ffffff", "#eceff3", "#d3dae3", "#b9c4d1")
 
 
 def energy_momentum(scene: System, values: Mapping[str, Any]) -> EnergyMomentum:
-    """Every critical value of (C1, h) at a fixed p_psi = π3 + l.
+    """Return every critical value of (C1, h) at a fixed p_psi = π3 + l.
 
     On regular precessions I1 k3 W² − p_ψ W + U' = 0 has a slow and a fast root W at each tilt; C1 and h
     follow. The curves are in doubles, cut where stability changes; the verdict of each part is exact.
@@ -56,7 +56,7 @@ def energy_momentum(scene: System, values: Mapping[str, Any]) -> EnergyMomentum:
 
 
 def bands(found: EnergyMomentum, momentum: Array, energy: Array) -> Array:
-    """The number of bands of k3 in which the body can move, shape (len(energy), len(momentum))."""
+    """Count the bands of k3 in which the body can move, shape (len(energy), len(momentum))."""
     k3 = np.cos(np.linspace(0, np.pi, CELLS + 2)[1:-1])
     height = in_floats(found.potential, np, {V: momentum[:, None], K3: k3})
     below = height[None] <= energy[:, None, None]
@@ -69,9 +69,9 @@ def draw_energy_momentum(scene: System, values: Mapping[str, Any],
                          **kwargs: Any) -> Any:
     """Draw the energy-momentum diagram of a body of revolution in U(k3): h against C1 at a fixed p_psi.
 
-    p_psi = π3 + l is the axial momentum. The curves are the regular precessions, the points E1 and E2: solid
-    or filled where stable, dashed or open where unstable, dotted or half filled where undecided. Grey is
-    where motion is possible; the darker, the more bands of k3 there are at the same C1 and h.
+    p_psi = π3 + l is the axial momentum. The curves are the regular precessions, and the points are E1 and
+    E2: solid or filled if stable, dashed or open if unstable, dotted or half filled if undecided. In the grey
+    region motion is possible; it is darker where there are more bands of k3 at the same C1 and h.
 
     Parameters
     ----------
@@ -109,8 +109,8 @@ def draw_energy_momentum(scene: System, values: Mapping[str, Any],
     >>> import gyrostat as gs
     >>> from matplotlib.figure import Figure
     >>> top = gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field())
-    >>> ax = gs.plotting.draw_energy_momentum(top, {"I1": 1, "I3": 1, "l": 0, "m0": 1, "p_psi": 1},
-    ...                                       ax=Figure().subplots())
+    >>> values = {"I1": 1, "I3": 1, "l": 0, "m0": 1, "p_psi": 1}
+    >>> ax = gs.plotting.draw_energy_momentum(top, values, ax=Figure().subplots())
     >>> [text.get_text() for text in ax.get_legend().get_texts()]
     ['stable (curves: modulo the spin)', 'unstable', '1 band of $k_3$']
     >>> [text.get_text() for text in ax.texts]
@@ -145,7 +145,7 @@ def draw_energy_momentum(scene: System, values: Mapping[str, Any],
            [*verdicts, *_areas(int(count.max()))], 2, marks,
            "The curves are regular precessions, and the points are E1 and E2")
     room(ax)
-    written_at(ax, [("; ".join(several), place) for place, several in names.items()], 6.5)
+    written_at(ax, [("; ".join(several), place) for place, several in names.items()], MARKER)
     return ax
 
 

@@ -1,4 +1,4 @@
-"""A sphere seen from one side: outline, axes, and curves on it whose hidden part is faded."""
+"""Draws a sphere seen from one side: outline, axes, and curves on it whose hidden part is faded."""
 from collections.abc import Callable, Sequence
 from typing import Any
 
@@ -10,6 +10,8 @@ from .legends import named
 from .looks import DARK
 
 BACKGROUND, FADED = "#f4f7fb", 0.28
+# of a number, from its point, in radii; points of its letters
+OFF, NUMBERS = 0.12, 7.0
 BESIDE = 0.12                                              # from the head of an axis to its name
 
 
@@ -149,6 +151,29 @@ def dots_on(ax: Any, points: Array, eye: Array, **style: Any) -> None:
             ax.plot(*some.T, **{**style, **look})
 
 
+
+def numbers_on(ax: Any, points: Sequence[tuple[int, Array]], eye: Array, radius: float = 1.0,
+               ways: Sequence[Array] | None = None) -> None:
+    """Write its number beside each point of a sphere; hidden ones are faded.
+
+    A way is the direction from the point to its number; None: beside the axis through the point.
+    """
+    halo = optional("matplotlib.patheffects", "plot").withStroke(linewidth=2, foreground=BACKGROUND)
+    for (number, point), way in zip(points, ways or [_aside(point, eye) for _, point in points]):
+        hidden = point @ eye < -1e-9
+        if np.linalg.norm(way - way @ eye * eye) < 0.6:    # seen end on, the number would be on the point
+            way = _aside(point, eye)
+        ax.text(*(point + OFF * radius * way), str(number), ha="center", va="center", fontsize=NUMBERS,
+                zorder=5, path_effects=[] if hidden else [halo], alpha=0.5 if hidden else 1)
+
+
+def _aside(point: Array, eye: Array) -> Array:
+    """A direction in sight that is rather across than along that from the middle to a point."""
+    seen = point - point @ eye * eye
+    if np.linalg.norm(seen) < 1e-6 * np.linalg.norm(point):           # the eye looks along it
+        seen = across(eye)[0]
+    outwards = seen / np.linalg.norm(seen)
+    return (outwards + 2 * np.cross(eye, outwards)) / np.sqrt(5)
 
 
 def curves_of(ax: Any, curves: Sequence[Array], style: dict[str, Any], name: str,

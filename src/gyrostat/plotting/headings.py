@@ -1,4 +1,4 @@
-"""What a picture is of, above it: U and the numbers, typeset, in lines that fit."""
+"""Writes the title of a picture: U and the numbers, typeset, in lines that fit its axes."""
 from collections.abc import Mapping, Sequence
 from typing import Any
 
@@ -46,12 +46,12 @@ def number(value: Any, exact: str = "") -> str:
 
 
 def numbers(values: Mapping[str, Any]) -> list[str]:
-    """name = number for each, in the order of the notation."""
+    """Return name = number for each value, in the order of the notation."""
     return [f"${typeset(name)} = {number(values[name])}$" for name in sorted(values, key=order)]
 
 
 def field(latex: str, letter: str = "U") -> list[str]:
-    """U = …; nothing where Matplotlib cannot set it."""
+    """Return U = …, or nothing if Matplotlib cannot set the formula."""
     text = rf"${letter} = {latex}$".replace(r"\dfrac", r"\frac")
     try:
         optional("matplotlib.mathtext", "plot").MathTextParser("path").parse(text)
@@ -61,7 +61,7 @@ def field(latex: str, letter: str = "U") -> list[str]:
 
 
 def of_scene(scene: System, values: Mapping[str, Any]) -> tuple[list[str], list[str]]:
-    """U, or that it is in orbit, and the numbers of the body and the values."""
+    """Return U, or that the body is in orbit, and the numbers of the body and the values."""
     body, potential = scene.body, scene.potential
     names = MOMENTS if len(body.entries) == 3 else TENSOR
     entries = dict(zip(names, body.entries))
@@ -80,7 +80,7 @@ def of_scene(scene: System, values: Mapping[str, Any]) -> tuple[list[str], list[
 
 
 def of_sphere(scene: System, values: Mapping[str, Any], momentum: Any) -> tuple[list[str], list[str]]:
-    """The same of a free body, and the radius of its momentum sphere."""
+    """Return the numbers of a free body and the radius of its momentum sphere."""
     above, shown = of_scene(scene, {name: x for name, x in values.items() if name != "M"})
     return above, [*shown, f"$|M| = {number(momentum)}$"]
 
@@ -94,7 +94,7 @@ def _of_field(potential: Potential | None) -> list[str]:
 
 
 def of_motion(motion: Motion) -> tuple[list[str], list[str]]:
-    """U, and the numbers of the body and of the state at the time 0."""
+    """Return U, and the numbers of the body and of the state at the time 0."""
     above, shown = of_scene(motion.scene, {})
     potential = motion.scene.potential
     for i, name in enumerate(("pi", *(potential.directions if potential else ()))):
@@ -104,7 +104,7 @@ def of_motion(motion: Motion) -> tuple[list[str], list[str]]:
 
 
 def lines(above: Sequence[str], shown: Sequence[str], most: float = ROOM) -> str:
-    """What is above, a colon, and the numbers, with a comma after each; broken where a line is full.
+    """Join what is above, a colon and the numbers with commas, and begin a new line when one is full.
 
     Examples
     --------
@@ -126,7 +126,7 @@ def lines(above: Sequence[str], shown: Sequence[str], most: float = ROOM) -> str
 
 
 def _broken(item: str, most: float) -> list[str]:
-    """A formula in parts that fit a line, before its plus and minus signs; of a long one the beginning."""
+    """Break a formula before plus and minus signs into parts that fit a line; a long one is cut."""
     if not item.startswith("$") or width(item[1:-1]) <= most:
         return [item]
     parts = [f"${part.strip()}$" for part in broken(item[1:-1], most)]
@@ -134,6 +134,6 @@ def _broken(item: str, most: float) -> list[str]:
 
 
 def heading(ax: Any, above: Sequence[str], shown: Sequence[str]) -> str:
-    """The same in lines that are no wider than the axes."""
+    """Return the title in lines that are no wider than the axes."""
     size = optional("matplotlib.font_manager", "plot").FontProperties(size="medium").get_size_in_points()
     return lines(above, shown, max(room(ax) * 10 / size, NARROWEST))

@@ -1,4 +1,4 @@
-"""The body turning, in a view that the reader turns: a figure of Plotly for a notebook or a page."""
+"""Shows the turning body in a view that the reader turns: a figure of Plotly for a notebook or a page."""
 from typing import Any
 
 import numpy as np
@@ -16,7 +16,7 @@ TO_COME = "#dde3ea"                                        # of the path
 
 @checked
 def view_motion(motion: Motion, times: Any) -> Any:
-    """The body at the given times as a figure of Plotly, with a slider.
+    """Return the body at the given times as a figure of Plotly, with a slider.
 
     The path of one of its axes on the unit sphere is shown too, what is to come in a faint colour. Drag to
     turn it. The body is that of animate_top. It needs the extra interactive.
@@ -46,8 +46,9 @@ def view_motion(motion: Motion, times: Any) -> Any:
     Examples
     --------
     >>> import gyrostat as gs
-    >>> box = gs.trajectories.motion(gs.assemble(gs.Gyrostat((1, 2, "5/2"), (0, 0, 0))), ("1/100", 2, 0))
-    >>> figure = gs.plotting.view_motion(box, [0, 1, 2])  # doctest: +SKIP
+    >>> box = gs.assemble(gs.Gyrostat((1, 2, "5/2"), (0, 0, 0)))
+    >>> thrown = gs.trajectories.motion(box, ("1/100", 2, 0))
+    >>> figure = gs.plotting.view_motion(thrown, [0, 1, 2])  # doctest: +SKIP
     """
     go = optional("plotly.graph_objects", "interactive")
     turns, path, fine, _ = attitudes(motion, times)
@@ -73,7 +74,7 @@ def view_motion(motion: Motion, times: Any) -> Any:
 
 
 def _triangles(faces: list[Face]) -> tuple[Array, Array, list[str]]:
-    """The corners, each once; faces as triangles of them that share their first corner; their colours."""
+    """Return the corners, each once, the faces as triangles with one common corner, and their colours."""
     every = np.concatenate([polygon for polygon, _ in faces]).round(9)
     corners, places = np.unique(every, axis=0, return_inverse=True)
     firsts = np.cumsum([0] + [len(polygon) for polygon, _ in faces])

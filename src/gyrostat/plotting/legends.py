@@ -1,4 +1,4 @@
-"""Legends and titles: above flat axes, or the legend below a view of space, in as many columns as fit."""
+"""Puts legends and titles above flat axes, or the legend below a view of space, in columns that fit."""
 from collections.abc import Sequence
 from typing import Any
 
@@ -8,6 +8,7 @@ from ..errors import optional
 from ..printing.formats.linebreaks import width
 from .beside import Marks, written_beside
 
+PART, SMALLEST = 0.24, 5.0                             # of a figure, the most; points of letters
 SWATCH = 3.6                                           # line and gaps of a legend, in sizes of its letters
 
 
@@ -43,26 +44,40 @@ def legend(ax: Any, handles: Sequence[Any], columns: int | None = None, title: s
 
 def _rows(ax: Any, handles: Sequence[Any], columns: int | None, title: str) -> None:
     """The legend in columns, and the title above it."""
-    rows = 0.0
+    rows, most = 0.0, columns or len(handles)
     if handles and ax.name == "3d":
-        columns = _columns(handles, columns or len(handles), room(ax))
-        _legend(ax, handles, columns, loc="upper center", bbox_to_anchor=(0.5, 0.03), borderaxespad=0.2)
+        _legend(ax, handles, most, room(ax), loc="upper center", bbox_to_anchor=(0.5, 0.03),
+                borderaxespad=0.2)
     elif handles:
         ticks = ax.yaxis.get_major_formatter()
         ticks.format_ticks(ax.get_yticks())
         pad = 1.6 if ticks.get_offset() else 0.2       # room for a power of ten that the ticks have in common
         start, space = _span(ax)
-        columns = _columns(handles, columns or len(handles), space)
-        size = _legend(ax, handles, columns, loc="lower left", bbox_to_anchor=(start, 1), borderaxespad=pad)
-        rows = size * (1.65 * -(-len(handles) // columns) + pad)
+        size, lines = _legend(ax, handles, most, space, loc="lower left", bbox_to_anchor=(start, 1),
+                              borderaxespad=pad)
+        rows = size * (1.65 * lines + pad)
     ax.set_title(title, pad=4 + rows, fontsize="medium", va="bottom")
 
 
-def _legend(ax: Any, handles: Sequence[Any], columns: int, **where: Any) -> float:
-    """Put the legend; the size of its letters."""
-    found = ax.legend(handles=handles, ncols=columns, frameon=False, columnspacing=1.2, handlelength=1.6,
-                      **where)
-    return float(found.get_texts()[0].get_fontsize())
+def _legend(ax: Any, handles: Sequence[Any], most: int, space: float, **where: Any) -> tuple[float, int]:
+    """Put the legend, in letters so small that it takes no more than PART of the figure: their size, and its
+    rows.
+    """
+    size = optional("matplotlib", "plot").rcParams["legend.fontsize"]
+    size = optional("matplotlib.font_manager", "plot").FontProperties(size=size).get_size_in_points()
+    figure, pixels = ax.get_figure(root=True).bbox, ax.get_figure(root=True).dpi / 72
+    columns = _columns(handles, most, space / size)
+    while True:
+        found = ax.legend(handles=handles, ncols=columns, frameon=False, columnspacing=1.2, handlelength=1.6,
+                          fontsize=size, **where)
+        box = found.get_window_extent()
+        if columns > 1 and box.width > space * pixels:     # letters are wider than was estimated
+            columns -= 1
+            continue
+        if box.width * box.height <= PART * figure.width * figure.height or size <= SMALLEST:
+            return size, -(-len(handles) // columns)
+        size *= 0.9
+        columns = _columns(handles, most, space / size)
 
 
 def room(ax: Any) -> float:
@@ -84,13 +99,11 @@ def _span(ax: Any) -> tuple[float, float]:
 
 
 def _columns(handles: Sequence[Any], most: int, space: float) -> int:
-    """As many columns of a legend as there is room for, in points."""
-    size = optional("matplotlib", "plot").rcParams["legend.fontsize"]
-    size = optional("matplotlib.font_manager", "plot").FontProperties(size=size).get_size_in_points()
+    """As many columns of a legend as there is room for, in sizes of its letters."""
     wide = [0.08 * width(handle.get_label().replace("$", "")) + SWATCH for handle in handles]
     for columns in range(min(most, len(handles)), 1, -1):
         # the first columns are the longer ones, as Matplotlib fills them
-        if sum(map(max, np.array_split(wide, columns))) <= space / size:
+        if sum(map(max, np.array_split(wide, columns))) <= space:
             return columns
     return 1
 

@@ -1,4 +1,4 @@
-"""Roll, pitch and yaw of a satellite over its orbits."""
+"""Draws roll, pitch and yaw of a satellite over its orbits."""
 from collections.abc import Sequence
 from typing import Any
 
@@ -26,7 +26,7 @@ def draw_librations(motion: Motion, times: Any, ax: Any = None, *, pointing: Seq
                     **kwargs: Any) -> Any:
     """Draw roll, pitch and yaw of a satellite, in degrees, over its orbits.
 
-    Where an angle jumps, at ±180° and where pitch is ±90°, its curve is broken.
+    A curve is broken where its angle jumps: at ±180°, and if pitch is ±90°.
 
     Parameters
     ----------
@@ -59,11 +59,15 @@ def draw_librations(motion: Motion, times: Any, ax: Any = None, *, pointing: Seq
     >>> import gyrostat as gs
     >>> import numpy as np
     >>> from matplotlib.figure import Figure
-    >>> scene = gs.assemble(gs.Gyrostat((60, 70, 35), (0, 0, 0)), gs.circular_orbit(1))
+    >>> body = gs.Gyrostat((60, 70, 35), (0, 0, 0))
+    >>> scene = gs.assemble(body, gs.circular_orbit(1))
     >>> moving = gs.trajectories.motion(scene, gs.release(scene, ("5 deg", 0, 0)))
-    >>> ax = gs.plotting.draw_librations(moving, np.linspace(0, 12, 100), Figure().subplots())
-    >>> [text.get_text() for text in ax.get_legend().get_texts()], ax.get_xlabel(), ax.get_ylabel()
-    (['roll', 'pitch', 'yaw'], 'orbits', 'angle [°]')
+    >>> ax = gs.plotting.draw_librations(
+    ...     moving, np.linspace(0, 12, 100), Figure().subplots())
+    >>> [text.get_text() for text in ax.get_legend().get_texts()]
+    ['roll', 'pitch', 'yaw']
+    >>> ax.get_xlabel(), ax.get_ylabel()
+    ('orbits', 'angle [°]')
     """
     if motion.scene.kind is not Kind.ORBIT:
         raise ScopeError("librations are those of a satellite in orbit: assemble(body, circular_orbit())")
@@ -80,6 +84,6 @@ def draw_librations(motion: Motion, times: Any, ax: Any = None, *, pointing: Seq
 
 
 def _broken(x: Array, y: Array) -> tuple[Array, Array]:
-    """With a gap where the values jump, at ±180° and where pitch is ±90°."""
+    """Return a curve with a gap where its values jump: at ±180°, and if pitch is ±90°."""
     jumps = np.flatnonzero(abs(np.diff(y)) > JUMP) + 1
     return np.insert(x, jumps, np.nan), np.insert(y, jumps, np.nan)

@@ -1,4 +1,4 @@
-"""The one look of stable, unstable and undecided, for areas, lines and markers; axes and their labels."""
+"""Gives stable, unstable and undecided one look each, for areas, lines and markers; labels axes."""
 from collections.abc import Sequence
 from typing import Any
 
@@ -12,6 +12,7 @@ LOOKS = {"stable": ("#dce9f4", ""), "undecided": ("#f4dfb6", "////"), "unstable"
          "no_equilibrium": ("#ffffff", "....")}
 AREAS = {**LOOKS, DESTROYED: ("#efdcd6", "\\\\\\\\")}
 INK = {"undecided": "#8a6d2f", "no_equilibrium": "#a0a0a0", DESTROYED: "#a23b2a"}    # of the hatches
+MARKER = 6.5                                           # points across
 DARK, BLUE, GREY = "#1f2933", "#1d5b96", "#8592a0"
 LINES = {"stable": (BLUE, "-"), "unstable": (DARK, (0, (4, 2))), "undecided": (INK["undecided"], ":")}
 MARKERS = {"stable": {"color": BLUE, "fillstyle": "full"}, "unstable": {"color": DARK, "fillstyle": "none"},
@@ -27,7 +28,7 @@ def line(verdict: Verdict) -> dict[str, Any]:
 def marker(verdict: Verdict) -> dict[str, Any]:
     """Stable: a filled circle; unstable: an open one; undecided: half filled."""
     look = MARKERS[verdict.name.lower()]
-    return {"marker": "o", "linestyle": "none", "markersize": 6.5, "markeredgewidth": 1.4, **look,
+    return {"marker": "o", "linestyle": "none", "markersize": MARKER, "markeredgewidth": 1.4, **look,
             **({"markerfacecolor": "white", "fillstyle": "full", "markeredgecolor": look["color"]}
                if look["fillstyle"] == "none" else {})}
 

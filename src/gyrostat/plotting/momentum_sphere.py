@@ -1,4 +1,4 @@
-"""The momentum sphere of a free body or gyrostat: polhodes, separatrices, equilibria."""
+"""Draws the momentum sphere of a free body or gyrostat: polhodes, separatrices, equilibria."""
 from collections.abc import Mapping, Sequence
 from typing import Any
 
@@ -15,7 +15,7 @@ from ..mechanics.scenes.system import System, at_numbers
 from ..stability.decision import Verdict
 from .captions import BEHIND, headed
 from .energy_levels import energies_between, floats, level_curve
-from .globe import circle, curve_on, curves_of, dots_of, stage
+from .globe import circle, curve_on, curves_of, dots_of, numbers_on, stage
 from .headings import of_sphere
 from .legends import named
 from .looks import BLUE, DARK, axes_of, label, line, marker
@@ -31,9 +31,10 @@ def draw_momentum_sphere(scene: System, momentum: Any, values: Mapping[str, Any]
     """Draw the sphere abs(M) = const of a free body or gyrostat, M = π + l, seen as ax.view_init says.
 
     A polhode is the curve on which the energy is constant: M moves along it in the body. Those through
-    saddles, the separatrices, are heavy; what is behind is faded. Filled: stable; open: unstable; half
-    filled: undecided. A solid circle of a body of revolution: every point an equilibrium, stable modulo the
-    spin.
+    saddles, the separatrices, are heavy, and what is behind is faded. A filled marker is a stable rotation,
+    an open one an unstable one, and a half-filled one is undecided. Its number is that in the list of
+    relative_equilibria, and in the table of gyrostat decide. Each point of a solid circle, which a body of
+    revolution has, is a rotation that is stable modulo the spin.
 
     Parameters
     ----------
@@ -73,8 +74,9 @@ def draw_momentum_sphere(scene: System, momentum: Any, values: Mapping[str, Any]
     --------
     >>> import gyrostat as gs
     >>> from matplotlib.figure import Figure
-    >>> ax = gs.plotting.draw_momentum_sphere(gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 0))), 1,
-    ...                                       ax=Figure().add_subplot(projection="3d"))
+    >>> body = gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 0)))
+    >>> sphere = Figure().add_subplot(projection="3d")
+    >>> ax = gs.plotting.draw_momentum_sphere(body, 1, ax=sphere)
     >>> [text.get_text() for text in ax.get_legend().get_texts()]
     ['polhode', 'separatrix', 'stable', 'unstable']
     """
@@ -120,6 +122,7 @@ def draw_momentum_sphere(scene: System, momentum: Any, values: Mapping[str, Any]
         places = [floats(p.momentum) for p in points
                   if p.decision.verdict is verdict and p.form.circle is None]
         handles += dots_of(ax, places, marker(verdict), verdict.name.lower(), eye)
+    numbers_on(ax, [(n, floats(p.momentum)) for n, p in enumerate(points, 1)], eye, size)
     headed(ax, "Momentum sphere of a free gyrostat", of_sphere(scene, values or {}, radius), handles,
            after=BEHIND)
     return ax

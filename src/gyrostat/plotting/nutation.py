@@ -1,4 +1,4 @@
-"""The path of the axis of the body on the sphere of directions: precession and nutation."""
+"""Draws the path of the axis of the body on the sphere of directions: precession and nutation."""
 from typing import Any
 
 import numpy as np
@@ -87,12 +87,12 @@ def draw_nutation(motion: Motion, times: Any, ax: Any = None, **kwargs: Any) -> 
 
 
 def axis_path(motion: Motion, times: Any) -> Array:
-    """The axis of the body in space, e3 where it has no other, shape (n, 3)."""
+    """Return the axis of the body in space, shape (n, 3): that of revolution, or e3."""
     return close_enough(motion.attitude(row(times, "the times")) @ motion.axis)
 
 
 def close_enough(path: Array) -> Array:
-    """A path on the unit sphere, refused where its chords would be another path.
+    """Return a path on the unit sphere; it is refused if its points are too far apart to show it.
 
     Raises
     ------
@@ -109,5 +109,5 @@ def close_enough(path: Array) -> Array:
 
 
 def widest(path: Array) -> float:
-    """The longest chord of a path."""
+    """Return the longest chord of a path."""
     return float(np.linalg.norm(np.diff(path, axis=0), axis=1).max(initial=0.0))

@@ -1,4 +1,4 @@
-"""The bifurcation set of a free gyrostat in its rotor: where in a plane of l permanent rotations meet."""
+"""Draws the bifurcation set of a free gyrostat: where in a plane of its rotor permanent rotations meet."""
 from collections.abc import Mapping
 from typing import Any
 
@@ -31,9 +31,9 @@ SHADES = {2: "#ffffff", 4: "#e4edf5", 6: "#c3d7e8"}
 def draw_rotor_set(scene: System, values: Mapping[str, Any], ax: Any = None, **kwargs: Any) -> Any:
     r"""Draw where, in a plane of the rotor at a given abs(M), permanent rotations of a free gyrostat meet.
 
-    Two components of l along principal axes are free, the third has a value. Dark: folds, two rotations meet;
-    blue with dots, where the third component is 0: pitchforks, two off the plane meet one in it. In each
-    region stands the number of rotations, 2, 4 or 6; more of them, darker.
+    Two components of l along principal axes are free, and the third has a value. At dark curves, folds, two
+    rotations meet. At blue curves, pitchforks, which exist if the third component is 0, two rotations off the
+    plane meet one in it. Each region shows the number of its rotations, 2, 4 or 6, and more are darker.
 
     Parameters
     ----------
@@ -67,8 +67,8 @@ def draw_rotor_set(scene: System, values: Mapping[str, Any], ax: Any = None, **k
     --------
     >>> import gyrostat as gs
     >>> from matplotlib.figure import Figure
-    >>> ax = gs.plotting.draw_rotor_set(gs.assemble(gs.Gyrostat((1, 2, 3))), {"l2": 0, "M": 1},
-    ...                                 Figure().subplots())
+    >>> body = gs.assemble(gs.Gyrostat((1, 2, 3)))
+    >>> ax = gs.plotting.draw_rotor_set(body, {"l2": 0, "M": 1}, Figure().subplots())
     >>> sorted({text.get_text() for text in ax.texts}), ax.get_xlabel()
     (['2', '4', '6'], '$l_1$ $[\\mathrm{M\\,L^{2}\\,T^{-1}}]$')
     """
@@ -97,7 +97,7 @@ def draw_rotor_set(scene: System, values: Mapping[str, Any], ax: Any = None, **k
 
 
 def _section(scene: System, values: Mapping[str, Any]) -> tuple[Gyrostat, Expr, list[int]]:
-    """The body at its numbers, abs(M), and the two axes along which l is free."""
+    """Return the body at given numbers, abs(M), and the two axes along which l is free."""
     if scene.potential is not None:
         raise ScopeError("permanent rotations on a sphere of M are those of a free gyrostat, the scene has "
                          f"the potential {scene.potential.expression}: assemble the body alone")
@@ -120,7 +120,7 @@ def _section(scene: System, values: Mapping[str, Any]) -> tuple[Gyrostat, Expr, 
 
 
 def _arc(body: Gyrostat, radius: Expr, held: int, a: Expr, b: Expr) -> Array:
-    """The free components along an interval of ν, in one quadrant."""
+    """Return the free components of l along an interval of ν, in one quadrant."""
     low, high = float(a), float(b)
     nu = (low + high) / 2 - (high - low) / 2 * np.cos(np.pi * np.linspace(1e-4, 1 - 1e-4, ARC))
     squares = [in_floats(square, np, {NU: nu}) for square in fold_squares(body, radius, held)]
@@ -137,7 +137,7 @@ def _pitchforks(body: Gyrostat, radius: Expr, held: int) -> list[Array]:
 
 
 def _counts(body: Gyrostat, radius: Expr, free: list[int], x: Array, y: Array) -> Array:
-    """The number of rotations over the plane, shape (len(y), len(x)); of a component that is 0 beside it."""
+    """Count the rotations over the plane, shape (len(y), len(x)); if the third component is 0, beside it."""
     size = float(radius)
     rotor = [np.full((len(y), len(x)), 0.0 if n in free else float(l) or SMALL * size)
              for n, l in enumerate(body.gyrostatic_momentum)]
@@ -146,7 +146,7 @@ def _counts(body: Gyrostat, radius: Expr, free: list[int], x: Array, y: Array) -
 
 
 def _places(x: Array, y: Array, counts: Array) -> list[tuple[int, tuple[float, float]]]:
-    """A place well inside each region, with its number; none in a region that is too small for it."""
+    """Return a place well inside each region that has room for its number, with the number."""
     found, left = [], np.ones(counts.shape, dtype=bool)
     while left.any():
         start = tuple(np.argwhere(left)[0])
@@ -167,6 +167,6 @@ def _places(x: Array, y: Array, counts: Array) -> list[tuple[int, tuple[float, f
 
 
 def _spread(region: Array) -> Array:
-    """With its neighbours."""
+    """Return a region with its neighbouring cells."""
     wide = np.pad(region, 1)
     return wide[1:-1, 1:-1] | wide[2:, 1:-1] | wide[:-2, 1:-1] | wide[1:-1, 2:] | wide[1:-1, :-2]

@@ -1,4 +1,4 @@
-"""A scene at numbers, for the pictures."""
+"""Takes the numbers of a picture as exact numbers, and refuses names that are missing."""
 from collections.abc import Mapping
 from typing import Any
 
@@ -10,10 +10,7 @@ from ..stability.criteria.numbers_asked import names_in
 
 
 def numbers_of(scene: System, values: Mapping[str, Any], also: tuple[str, ...] = ()) -> Point:
-    """The values as exact numbers.
-
-    One for every parameter of the scene, and for the names asked for besides.
-    """
+    """Return the values as exact numbers: for each parameter of the scene, and for other names asked for."""
     field = scene.potential.parameters if scene.potential else ()
     needed = {*names_in([*scene.body.entries, *scene.body.gyrostatic_momentum, *field]), *also}
     numbers = exact_point(scene, values, needed)

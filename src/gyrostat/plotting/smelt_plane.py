@@ -1,4 +1,4 @@
-"""The Smelt plane: which moments hold a satellite Earth-pointing, with a rotor along pitch too."""
+"""Draws the Smelt plane: for which moments a satellite is stable Earth-pointing, with a rotor along pitch."""
 from collections.abc import Mapping, Sequence
 from functools import lru_cache
 from typing import Any
@@ -34,10 +34,11 @@ def draw_smelt_plane(rotor: Any = 0, bodies: Mapping[str, Sequence[Any]] | None 
                      **kwargs: Any) -> Any:
     """Draw where a satellite rests stably Earth-pointing, over its ratios of moments.
 
-    k_R = (I_pitch − I_yaw)/I_roll and k_Y = (I_pitch − I_roll)/I_yaw, between −1 and 1 for every body; names
-    of the ratios differ from book to book, moments do not. Stable is where the energy has a minimum, with
-    damping too: Lagrange's region without a rotor. DeBra and Delp's region is held by gyroscopic forces:
-    spectrally stable, and unstable under any damping. Verdicts and boundaries are those of a chart, proved.
+    The ratios are k_R = (I_pitch − I_yaw)/I_roll and k_Y = (I_pitch − I_roll)/I_yaw, between −1 and 1 for
+    every body. Their names differ from book to book, the moments do not. A satellite is stable, with damping
+    too, if the energy has a minimum: without a rotor this is Lagrange's region. In DeBra and Delp's region it
+    is gyroscopically stabilised: spectrally stable, and unstable under any damping. Verdicts and boundaries
+    are those of a chart, which are proved.
 
     Parameters
     ----------
@@ -70,7 +71,8 @@ def draw_smelt_plane(rotor: Any = 0, bodies: Mapping[str, Sequence[Any]] | None 
     --------
     >>> import gyrostat as gs
     >>> from matplotlib.figure import Figure
-    >>> ax = gs.plotting.draw_smelt_plane(bodies={"pole": (60, 70, 35)}, ax=Figure().subplots())
+    >>> bodies = {"pole": (60, 70, 35)}
+    >>> ax = gs.plotting.draw_smelt_plane(bodies=bodies, ax=Figure().subplots())
     >>> [text.get_text() for text in ax.get_legend().get_texts()][-1]
     'pole'
     """

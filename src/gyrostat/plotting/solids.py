@@ -1,4 +1,4 @@
-"""What a body looks like: a top, or a box with the moments of inertia of the body."""
+"""Makes a solid that stands for a body: a top, or a box with the moments of inertia of the body."""
 import numpy as np
 from sympy import Add
 

@@ -1,4 +1,4 @@
-"""Permanent rotations in the plane of omega and sigma: the real curve abs(k) = 1, with verdicts."""
+"""Draws permanent rotations in the plane of omega and sigma: the real curve abs(k) = 1, with verdicts."""
 from collections.abc import Mapping, Sequence
 from typing import Any
 
@@ -74,8 +74,8 @@ def draw_staude_plane(scene: System, values: Mapping[str, Any] | None = None,
     >>> import gyrostat as gs
     >>> from matplotlib.figure import Figure
     >>> U = gs.general_potential(lambda k1, k2, k3: k1 + k2 + k3)
-    >>> ax = gs.plotting.draw_staude_plane(gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 0)), U),
-    ...                                    ax=Figure().subplots())
+    >>> scene = gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 0)), U)
+    >>> ax = gs.plotting.draw_staude_plane(scene, ax=Figure().subplots())
     >>> [text.get_text() for text in ax.get_legend().get_texts()]
     ['stable', 'unstable', 'fold']
     >>> sorted(text.get_text() for text in ax.texts)
@@ -111,7 +111,7 @@ def draw_staude_plane(scene: System, values: Mapping[str, Any] | None = None,
 
 
 class _Plane:
-    """A body in doubles, and its rotations in the plane of omega and sigma + omega² I."""
+    """Places the rotations of a body in the plane of omega and sigma + omega² I, in doubles."""
 
     def __init__(self, scene: System):
         U, body = scene.potential, scene.body

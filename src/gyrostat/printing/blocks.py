@@ -1,4 +1,4 @@
-"""Headings, sentences and displayed formulas, before any typesetting."""
+"""Holds headings, sentences and displayed formulas before they are typeset."""
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -30,7 +30,7 @@ class Heading:
 
 @dataclass(frozen=True)
 class Sentence:
-    """Texts, which are prose, and formulas, in the order in which they are read."""
+    """A sentence: texts, which are prose, and formulas, in the order in which they are read."""
 
     parts: tuple[Any, ...]
     at: Any = None
@@ -38,7 +38,7 @@ class Sentence:
 
 @dataclass(frozen=True)
 class Display:
-    """name = value: an expression, a matrix, or the two sides of a comparison."""
+    """A displayed formula, name = value: an expression, a matrix, or the two sides of a comparison."""
 
     name: Any
     value: Any
@@ -49,7 +49,7 @@ class Display:
 
 @dataclass(frozen=True)
 class Rows:
-    """What symbols are: on the left formulas and texts of each, on the right its meaning."""
+    """A list of meanings: on the left a symbol or a term, on the right what it is."""
 
     rows: tuple[tuple[tuple[Any, ...], tuple[Any, ...]], ...]
     title: str = "Symbols and assumptions"
@@ -60,13 +60,13 @@ Block = Heading | Sentence | Display | Rows
 
 
 def rate_of(name: str) -> Word:
-    """The rate of a component, π̇₁ of pi1."""
+    """Write the rate of a component, π̇₁ for pi1."""
     letter = "π" if name[:-1] == "pi" else name[:-1]
     return Word(f"{letter}̇{'₀₁₂₃'[int(name[-1])]}", f"⟨{name}_dot⟩")
 
 
 def sentence(*parts: Any, at: Any = None) -> Sentence:
-    """A sentence of texts and formulas; texts that follow one another are one."""
+    """Make a sentence of texts and formulas; neighbouring texts are joined."""
     found: list[Any] = []
     for part in parts:
         if isinstance(part, str) and found and isinstance(found[-1], str):
@@ -77,12 +77,12 @@ def sentence(*parts: Any, at: Any = None) -> Sentence:
 
 
 def prose(text: str) -> Sentence:
-    """A text as it is, as a sentence."""
+    """Make a sentence of a text, with a full stop if it has none."""
     return sentence(text if text.endswith((".", "…")) else f"{text}.")
 
 
 def joined(between: str, clauses: Iterable[Sequence[Any]]) -> tuple[Any, ...]:
-    """Clauses, each of texts and formulas, with a text between them."""
+    """Join clauses, each of texts and formulas, by a text between them."""
     found: list[Any] = []
     for n, clause in enumerate(clauses):
         if n > 0:
@@ -92,16 +92,16 @@ def joined(between: str, clauses: Iterable[Sequence[Any]]) -> tuple[Any, ...]:
 
 
 def listed(formulas: Iterable[Any]) -> tuple[Any, ...]:
-    """Formulas with commas between them."""
+    """List formulas with commas between them."""
     return joined(", ", [(formula,) for formula in formulas])
 
 
 def equations(pairs: Iterable[tuple[Any, Any]]) -> tuple[Any, ...]:
-    """name = value, with commas between them."""
+    """List equations, name = value, with commas between them."""
     return joined(", ", [(name, " = ", value) for name, value in pairs])
 
 
 def modulo_flow(integrals: Iterable[Any]) -> tuple[Any, ...]:
-    """Of which integrals the flow is divided out; nothing where of none."""
+    """Say of which integrals the flow is divided out; nothing if there are none."""
     found = listed(integrals)
     return ("modulo the flow of ", *found) if found else ()

@@ -1,4 +1,4 @@
-"""Files that are whole or not there: written beside their place, flushed to disk, then moved into it."""
+"""Writes files whole or not at all: beside their place, flushed to disk, then moved into it."""
 import errno
 import os
 import stat
@@ -13,12 +13,11 @@ from ..errors import optional, require
 
 @contextmanager
 def written(path: str | os.PathLike[str]) -> Iterator[Path]:
-    """A path to write to, moved into the place of the one given when the block ends well, removed when it
-    does not.
+    """Give a path to write to; when the block ends well, the file is moved into the place asked for.
 
-    Until then what is there stays there: after an error, an interruption or on a full disk it is the old
-    file. A link stays a link, and the permissions stay. What is no file, /dev/null or a pipe, is written to
-    as it is.
+    If the block fails, the new file is removed. Until then the old file stays in its place: after an error,
+    an interruption, or on a full disk. A link stays a link, and the permissions stay. A path that is no file,
+    such as /dev/null or a pipe, is written to directly.
 
     Parameters
     ----------
@@ -54,9 +53,9 @@ def written(path: str | os.PathLike[str]) -> Iterator[Path]:
 
 
 def replaceable(place: Path) -> bool:
-    """Whether another file can be moved to the place: nothing or a file is there.
+    """Whether another file can be moved to the place: either nothing or a file is there.
 
-    OSError where it is one that is not to be written.
+    An OSError is raised if a file is there that may not be written.
     """
     if not place.exists():
         return True
@@ -68,7 +67,7 @@ def replaceable(place: Path) -> bool:
 
 
 def moved(new: Path, place: Path) -> None:
-    """Flush a file to disk and move it, with the permissions of what was in the place."""
+    """Flush a file to disk and move it; it gets the permissions of the file that was in the place."""
     _flush(new, os.O_RDWR)
     with suppress(FileNotFoundError):
         os.chmod(new, stat.S_IMODE(os.stat(place).st_mode))
@@ -78,7 +77,7 @@ def moved(new: Path, place: Path) -> None:
 
 
 def cleared(folder: Path, process: int) -> None:
-    """Remove what a process that was ended has left in a folder."""
+    """Remove the unfinished files of a process that was ended from a folder."""
     for left in folder.glob(f"{_mark(process)}*"):
         with suppress(OSError):
             left.unlink()
@@ -125,7 +124,7 @@ def save_netcdf(dataset: Any, path: str | os.PathLike[str], **kwargs: Any) -> No
 
 
 def _mark(process: int) -> str:
-    """How the names begin of files that a process has not finished."""
+    """The beginning of the names of files that a process has not finished."""
     return f".gyrostat-{process}-"
 
 

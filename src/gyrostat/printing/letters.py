@@ -1,4 +1,4 @@
-"""The letters of a document about a scene: those of the table, or another where the scene has that letter."""
+"""Chooses the letters of a document: those of the table of names, or others if the scene has them."""
 from collections.abc import Iterable
 from functools import lru_cache
 
@@ -10,13 +10,13 @@ from .blocks import Word
 
 
 def letters_of(scene: System) -> Letters:
-    """Of a scene."""
+    """The letters of a document about a scene."""
     return _letters(frozenset(s.name for s in names_of_scene(scene)),
                     scene.potential.directions if scene.potential else ())
 
 
 def letters_in(expressions: Iterable[Expr]) -> Letters:
-    """Of formulas alone, where no scene is at hand."""
+    """The letters of a document about formulas alone, for which there is no scene."""
     return _letters(frozenset(s.name for e in expressions for s in e.free_symbols), ("k",))
 
 

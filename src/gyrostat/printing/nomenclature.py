@@ -1,4 +1,4 @@
-"""What the symbols of a document are, and what is assumed of them: those that occur, no others."""
+"""Lists the symbols that occur in a document, with what they mean and what is assumed of them."""
 from collections.abc import Iterable
 from typing import Any
 
@@ -20,7 +20,7 @@ K3 = symbol("k3")
 
 
 def occurring(parts: Iterable[Any]) -> set[str]:
-    """The names in blocks, formulas and words; U where one of its derivatives is."""
+    """Find the names in blocks, formulas and words; U is among them if one of its derivatives is."""
     found: set[str] = set()
     for part in parts:
         if isinstance(part, Sentence):
@@ -36,7 +36,7 @@ def occurring(parts: Iterable[Any]) -> set[str]:
 
 
 def symbol_rows(scene: System, names: Iterable[str]) -> Rows:
-    """U, and the symbols in it and among the names, each with what it is."""
+    """Say what U and each of the names is, and the symbols in U."""
     here, body, potential = set(names), scene.body, scene.potential
     if potential:
         here |= occurring([potential.expression])
@@ -57,7 +57,7 @@ def symbol_rows(scene: System, names: Iterable[str]) -> Rows:
 
 
 def _body(body: Gyrostat) -> list[Row]:
-    """Its moments and its rotor, as far as they are symbols."""
+    """The moments and the rotor of a body, as far as they are symbols."""
     rows: list[Row] = []
     moments = () if isinstance(body.inertia, MatrixBase) else body.moments
     for entries, what in ((moments, "principal moment of inertia"),
@@ -71,7 +71,7 @@ def _body(body: Gyrostat) -> list[Row]:
 
 
 def _axes(axes: list[int]) -> str:
-    """axis 3; axes 1 and 2; axes 1, 2 and 3."""
+    """Name axes in words: axis 3; axes 1 and 2; axes 1, 2 and 3."""
     *others, last = map(str, axes)
     return f"axes {', '.join(others)} and {last}" if others else f"axis {last}"
 
@@ -87,7 +87,7 @@ def _potential(potential: Potential, U: Word) -> Row:
 
 
 def _parameters(scene: System, names: set[str]) -> list[Row]:
-    """Those of U: of a named field each with its meaning, the user's together."""
+    """The parameters of U: those of a named field each with its meaning, the user's together."""
     potential = scene.potential
     shown = sorted((s for s in (potential.parameters if potential else ()) if s.name in names),
                    key=lambda s: order(s.name))
@@ -101,7 +101,7 @@ def _parameters(scene: System, names: set[str]) -> list[Row]:
 
 
 def _as_in_the_table(potential: Potential, s: Symbol) -> bool:
-    """Whether a name of the table means in U what it means there: each term with it is an energy."""
+    """Whether a name means in U what the table says: then each term with it is an energy."""
     if s.name not in NOTATION or potential.coupled:
         return s.name in _IN_COUPLED
     terms = [term for term in Add.make_args(potential.expression) if s in term.free_symbols]
@@ -111,7 +111,7 @@ def _as_in_the_table(potential: Potential, s: Symbol) -> bool:
 
 
 def _dimension(e: Expr) -> tuple[Any, ...] | None:
-    """Powers of [M L²], 1/[T] and [L] in the table; None of what has names that are not in it."""
+    """The dimension as powers of [M L²], 1/[T] and [L]; None if a name is not in the table."""
     if isinstance(e, Symbol):
         return dimension_of(e.name)
     parts = [_dimension(x) for x in e.args]
@@ -128,7 +128,7 @@ def _dimension(e: Expr) -> tuple[Any, ...] | None:
 
 
 def _meaning(name: str) -> tuple[Any, ...]:
-    """What a parameter of the table is."""
+    """The meaning of a parameter of the table."""
     if name[0] == "J":
         n = name[1:]
         return Word(f"∫ |x|^{n} P{n}(x₃/|x|) dm", rf"\int |x|^{n} P_{n}(x_3/|x|)\,dm"), " over the body"

@@ -23,7 +23,7 @@ _NO_DECIMAL = (S.NaN, S.ComplexInfinity, S.Infinity, S.NegativeInfinity)
 
 
 def number(value: Expr) -> Any:
-    """A number as all texts and LaTeX have it; of an expression with names a form that reads well.
+    """Write a number as all texts and LaTeX have it; an expression with names is factored.
 
     - A rational number of at most 12 characters is written as it is: 1/2.
     - A longer one of at most 12 digits is written as a decimal: 1.0123456.
@@ -66,13 +66,13 @@ def number(value: Expr) -> Any:
 
 
 def in_sentence(value: Expr) -> Any:
-    """A number in a sentence or a list: the same without the polynomial of a root."""
+    """Write a number in a sentence or a list: the same without the polynomial of a root."""
     written = number(value)
     return Number(written.parts[:1]) if isinstance(value, CRootOf) else written
 
 
 def in_a_cell(value: Expr | None) -> str:
-    """A number in a column of a text: a short fraction as it is, of any other number four digits.
+    """Write a number in a column of a text: a short fraction as it is, of any other number four digits.
 
     None stands for every number.
 
@@ -90,13 +90,13 @@ def in_a_cell(value: Expr | None) -> str:
 
 
 def tidy(value: Expr) -> Expr:
-    """A fraction of polynomials factored, anything else as it is."""
+    """Factor a fraction of polynomials, and leave any other expression as it is."""
     rational = all(p.exp.is_Integer for p in value.atoms(Pow)) and not value.atoms(Abs)
     return readable(value) if value.free_symbols and rational else value
 
 
 def _rational(value: Rational) -> Any:
-    """The fraction if it is short, otherwise the decimal if that is, otherwise the first digits."""
+    """Write the fraction if it is short, otherwise the decimal if that is, otherwise the first digits."""
     top, bottom = int(value.p), int(value.q)
     if max(abs(top), bottom).bit_length() <= 4 * SHORT and len(unicode(value)) <= SHORT:
         return value
@@ -115,7 +115,7 @@ def _is_readable(value: Expr) -> bool:
 
 
 def _root_of(value: Expr) -> tuple[Any, ...]:
-    """The polynomial in x of which a number is given as a root, if it is short."""
+    """Name the polynomial in x of which a number is given as a root, if it is short."""
     if not isinstance(value, CRootOf) or value.poly.degree() > READABLE:
         return ()
     polynomial = value.poly.as_expr().xreplace({value.poly.gen: symbol("x")})
@@ -135,13 +135,13 @@ def _decimal(value: Expr) -> Decimal:
 
 
 def _first_digits(value: Decimal) -> Word:
-    """The first digits, and … for those that follow."""
+    """Write the first digits, and … for those that follow."""
     # the middle of a ball around 1/2 may be 0.4999…; rounded to 25 digits it is 0.5
     return _written(_KNOWN.plus(value), ALONE, ROUND_DOWN, Word("…", r"\dots"))
 
 
 def _written(value: Decimal, digits: int, rounding: str, end: Word = NOTHING) -> Word:
-    """So many digits of a decimal, with a power of 10 if it is small or large."""
+    """Write so many digits of a decimal, with a power of 10 if it is small or large."""
     power = value.adjusted() if value else 0
     scaled = value if SMALL <= power < LARGE else value.scaleb(-power, _WORKING)
     places = max(digits - 1 - scaled.adjusted(), 1 if end.text else 0)

@@ -1,4 +1,4 @@
-"""The order in which terms, factors and the two sides of an inequality are written."""
+"""Orders terms, factors and the two sides of an inequality as they are written."""
 from typing import Any
 
 from sympy import Add, Expr, Integer, Mul, Pow, S
@@ -8,9 +8,9 @@ from ..stability.criteria.conditions import Condition
 
 
 def inequality(condition: Condition) -> tuple[Expr, Expr]:
-    """Left and right side of the condition.
+    """Give the left and the right side of a condition.
 
-    What is negative stands on the right, at E1 and E2 all but the square.
+    Negative terms stand on the right; at E1 and E2 all terms but the square do.
 
     Examples
     --------
@@ -29,14 +29,14 @@ def inequality(condition: Condition) -> tuple[Expr, Expr]:
 
 
 def ordered_terms(expression: Add) -> list[Expr]:
-    """The terms of a sum as they are written, a positive one first."""
+    """Order the terms of a sum as they are written, a positive one first."""
     terms = sorted(expression.args, key=lambda t: (not t.free_symbols, term_order(t)))
     first = next((t for t in terms if not t.could_extract_minus_sign()), terms[0])
     return [first, *(t for t in terms if t is not first)]
 
 
 def signed(terms: list[str], minus: str) -> str:
-    """The sum of terms that are written, those with a minus subtracted."""
+    """Join written terms to a sum; terms with a minus are subtracted."""
     text = terms[0]
     for term in terms[1:]:
         if term.startswith(minus):
@@ -47,9 +47,9 @@ def signed(terms: list[str], minus: str) -> str:
 
 
 def ordered_factors(product: Expr) -> list[Expr]:
-    """The factors of a product as they are written.
+    """Order the factors of a product as they are written.
 
-    Numbers, moments, symbols as in the notation, sums from short to long.
+    Numbers come first, then moments, symbols as in the notation, and sums from short to long.
     """
     def key(factor: Expr) -> tuple[Any, ...]:
         base = factor.base if isinstance(factor, Pow) else factor
@@ -67,7 +67,7 @@ def ordered_factors(product: Expr) -> list[Expr]:
 
 
 def over(product: Expr) -> tuple[Expr, Expr]:
-    """Numerator and denominator of a product, as they stand."""
+    """Split a product into numerator and denominator, as they stand."""
     c, rest = product.as_coeff_Mul()
     if not c.is_Rational:
         c, rest = S.One, product
@@ -78,7 +78,7 @@ def over(product: Expr) -> tuple[Expr, Expr]:
 
 
 def _product(factors: list[Expr]) -> Expr:
-    """The product without distributing a number over a sum."""
+    """Multiply without distributing a number over a sum."""
     factors = [f for f in factors if f != 1]
     if not factors:
         return S.One

@@ -1,8 +1,8 @@
-"""A scene as a table in, an answer as data for JSON out.
+"""Takes a scene as a table, and gives the answers of the command line as data for JSON.
 
 A table, or the options of the command line, become `scene_texts` and `given_numbers`. `answers` finds what
-is said of them, and `documents` writes that of a table as report, conditions and decide do with JSON. `page`
-shows an equilibrium of a table, its formulas typeset in LaTeX.
+is said of them, and `documents` writes it for a table, as report, conditions and decide do with JSON. `page`
+shows an equilibrium of a table with formulas in LaTeX.
 """
 from typing import TYPE_CHECKING
 

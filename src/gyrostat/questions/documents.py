@@ -39,7 +39,8 @@ def report(scene: Scene) -> dict[str, Any]:
     Examples
     --------
     >>> import gyrostat as gs
-    >>> top = {"potential": "m0*k3", "inertia": ["I1", "I1", "I3"], "equilibrium": "E1"}
+    >>> top = {"potential": "m0*k3", "inertia": ["I1", "I1", "I3"],
+    ...        "equilibrium": "E1"}
     >>> found = gs.questions.report(top)
     >>> sufficient = found["equilibria"][0]["sufficient"]
     >>> found["integrals"], sufficient["any_of"][0]["all_of"][0]["margin"]
@@ -70,7 +71,8 @@ def conditions(scene: Scene, *, solve_for: str | None = None, windows: bool = Fa
     Examples
     --------
     >>> import gyrostat as gs
-    >>> top = {"potential": "m0*k3", "inertia": ["I1", "I1", "I3"], "equilibrium": "E1"}
+    >>> top = {"potential": "m0*k3", "inertia": ["I1", "I1", "I3"],
+    ...        "equilibrium": "E1"}
     >>> top = top | {"values": {"I1": 1, "m0": 1}}
     >>> found = gs.questions.conditions(top, solve_for="pi3_0")
     >>> part = found["equilibria"][0]["parts"][0]

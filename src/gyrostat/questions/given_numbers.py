@@ -1,4 +1,4 @@
-"""The numbers that are given by their names, exact, with one name of the spin."""
+"""Reads numbers that are given by their names, exactly; the spin has one of its two names."""
 from collections.abc import Collection, Mapping, Sequence
 from typing import TypeVar
 
@@ -42,6 +42,6 @@ def spin_of(names: Mapping[str, object]) -> str:
 
 
 def unless_given(numbers: Mapping[str, Number], names: Collection[str]) -> dict[str, Number]:
-    """The numbers of other names; where one name of the spin is given, neither."""
+    """The numbers whose names are not given; if one name of the spin is given, neither of the two."""
     taken = {*names, *(SPINS if SPINS.intersection(names) else ())}
     return {name: number for name, number in numbers.items() if name not in taken}

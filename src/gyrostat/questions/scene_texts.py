@@ -1,4 +1,4 @@
-"""What is asked of a scene, as texts: the body and the field that they name."""
+"""Holds what is asked of a scene as texts, and makes the scene of the body and the field."""
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
@@ -13,14 +13,14 @@ from ..mechanics.families.scene_tables import AXIAL, NONE, SceneTable
 from ..mechanics.scenes.system import System
 
 ROTOR = ("l1", "l2", "l3")
-# what a file means where it does not say it, as for a formula
+# the defaults of a file, which are those of a formula
 BODY: dict[str, Any] = {"inertia": ["I1", "I2", "I3"], "gyrostatic_momentum": ["0", "0", "0"],
                         "potential": NONE}
 
 
 @dataclass(frozen=True)
 class Asked:
-    """The texts that name a scene, and what of its equilibria is asked for; None where one is left out.
+    """The texts that name a scene, and what is asked of its equilibria; None for what is not given.
 
     Parameters
     ----------
@@ -53,10 +53,11 @@ class Asked:
     integrals: tuple[str, ...] | None = None
 
     def of_body(self, names: Collection[str]) -> "Asked":
-        """With a body, where none is given: that which the names belong to.
+        """The same with a body; if none is given, the one to which the names belong.
 
-        I1, I3, or with I2, or k1 and k2 in U, or without a field I1, I2, I3; l, in orbit along the axis of
-        pitch, or l1, l2, l3.
+        The moments are I1, I1, I3, or I1, I2, I3 if I2 is named, if U contains k1 or k2, without a field,
+        and in orbit. The rotor is l along axis 3, in orbit along the axis of pitch; or l1, l2, l3 if one of
+        them is named.
         """
         left_out = AXIAL if self.orbit is None else NONE
         potential = left_out if self.potential is None else self.potential
@@ -87,7 +88,7 @@ def scene_of(asked: Asked) -> System:
 
 @lru_cache(maxsize=64)
 def _of_three(potential: str) -> bool:
-    """Whether it is a field of a body of three moments."""
+    """Whether the field is for a body of three moments: U contains k1 or k2, or there is none."""
     field = SceneTable({"potential": potential}).potential
     return field is None or not field.axial
 
@@ -115,13 +116,13 @@ def one_for_each(what: str, text: str, scene: System) -> Sequence[str]:
 
 
 def entries_of(scene: SceneTable) -> dict[str, Any]:
-    """The entries, and what is meant where one is left out; the rotors as a tensor and a momentum."""
+    """The entries with their defaults; rotors become part of the tensor and of the momentum."""
     family = {} if scene.family is None else {"equilibrium": scene.family.asked_for}
     return {**BODY, **_without_rotors(scene), **family}
 
 
 def text_of(value: Any) -> str:
-    """As an option has it; the rows of a tensor with ; between them."""
+    """A value of a table as the text of an option; semicolons separate the rows of a tensor."""
     if isinstance(value, str):
         return value
     if isinstance(value, dict):
@@ -131,7 +132,7 @@ def text_of(value: Any) -> str:
 
 
 def _without_rotors(scene: SceneTable) -> dict[str, Any]:
-    """The table, the body with its rotors as a tensor and a momentum, in orbit the free ones in U too."""
+    """The table with the rotors in the tensor and the momentum; in orbit free rotors enter U, too."""
     table = {name: value for name, value in scene.table.items() if name not in ("rotors", "lumped")}
     if "rotors" in scene.table:
         table["inertia"] = [[str(x) for x in row] for row in scene.body.tensor.tolist()]

@@ -54,7 +54,8 @@ def test_conditions_with_it(capsys):
 def test_printed_with_the_scene(capsys):
     """In words, set in LaTeX, as data; where it is conserved on a level only, that level."""
     _, out, _ = run(capsys, *SCENE, *POINT, "--integral", F)
-    assert "Integral given, {F, h} = 0:\n    F₁ = (π₁² − π₂² − 4 m₀ k₁)² + (2 π₁ π₂ − 4 m₀ k₂)²\n" in out
+    assert ("An integral was given, with {F, h} = 0:\n"
+            "    F₁ = (π₁² − π₂² − 4 m₀ k₁)² + (2 π₁ π₂ − 4 m₀ k₂)²\n") in out
     _, out, _ = run(capsys, *SCENE, *POINT, "--integral", F, "--format", "latex")
     assert r"F_{1} = \left(\pi_1^{2} - \pi_2^{2} - 4 m_0 k_1\right)^{2}" in out
     _, out, _ = run(capsys, *SCENE, *POINT, "--integral", F, "--format", "json")
@@ -63,7 +64,7 @@ def test_printed_with_the_scene(capsys):
     level = ["--inertia", "4,4,1", "--gyrostatic-momentum", "0,0,0", "--potential", "k1",
              "--point", "0,0,0,1,0,0"]
     _, out, _ = run(capsys, *level, "--integral", "M3*(M1^2 + M2^2) - 4*M1*k3")
-    assert "Integral given, {F, h} = 0 where C₁ = 0:" in out
+    assert "An integral was given, with {F, h} = 0 if C₁ = 0:" in out
 
 
 def test_monitored_and_refused(capsys):

@@ -150,7 +150,7 @@ def test_a_tensor_has_those_of_its_principal_axes():
     ("l1", {"I1": 1, "I2": 2, "I3": 3, "l1": 0, "l2": 0, "l3": 0, "M": 1}, ValuesError, "leave out one"),
     ("l1", {"I1": 1, "I2": 2, "I3": 3, "l2": 0, "l3": 0}, ValuesError, "need M: give"),
     ("l1", {"I1": 1, "I2": 2, "I3": 3, "l2": 0, "l3": 0, "M": 0}, ValuesError, "that is positive"),
-    ("l1", {"I1": 1, "I2": 2, "I3": 3, "l2": "pi", "l3": 0, "M": 1}, ScopeError, "meet is not found")])
+    ("l1", {"I1": 1, "I2": 2, "I3": 3, "l2": "pi", "l3": 0, "M": 1}, ScopeError, "meet are not found")])
 def test_what_is_refused(name, values, error, words):
     """What was given, why it is impossible, what to do."""
     with pytest.raises(error, match=words):

@@ -113,4 +113,4 @@ def test_on_the_command_line(capsys):
     _, said, _ = run(capsys, "--equilibrium", "E1", *numbers, "--normal-form", "4", "--format", "json",
                      verb="decide")
     assert json.loads(said)["twists"] == {"D4": {"exact": "125", "decimal": 125.0}}
-    assert "name it by" in run(capsys, *numbers, "--normal-form", "4", verb="decide")[2]
+    assert "name it, or give its point" in run(capsys, *numbers, "--normal-form", "4", verb="decide")[2]

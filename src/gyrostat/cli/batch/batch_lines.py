@@ -1,4 +1,4 @@
-"""The lines of a batch: as they come, what each asks, and where the answers are kept."""
+"""Reads the lines of a batch as they come, finds what each asks, and keeps the answers."""
 import argparse
 import contextlib
 import os
@@ -44,12 +44,12 @@ def opened(path: str, output: str | None) -> Iterator[BinaryIO]:
         try:
             file = stack.enter_context(open(path, "rb"))
         except OSError as error:
-            raise ValuesError(f"cannot read {path}: {error.strerror}") from None
+            raise ValuesError(f"cannot read {path}: {error.strerror}: check the path") from None
         yield file
 
 
 def size_of(file: BinaryIO) -> int | None:
-    """The bytes of a file, None of what has no end that is known."""
+    """The size of a file in bytes; None if it is not known, as for a pipe."""
     try:
         details = os.fstat(file.fileno())
     except (OSError, ValueError):                      # no file of the system
@@ -60,7 +60,7 @@ def size_of(file: BinaryIO) -> int | None:
 def numbered(file: Any) -> Iterator[list[Numbered]]:
     """The lines with their numbers, from 1 on, as many at a time as there are without waiting.
 
-    Of one too long its beginning.
+    A line that is too long is cut.
     """
     n, parts, length = 1, list[bytes](), 0
     while data := _read(file):
@@ -108,9 +108,9 @@ def question(line: bytes, given: argparse.Namespace,
 
 
 class Kept:
-    """Where answers go as they come.
+    """Writes answers as they come.
 
-    Standard output, or FILE.part, which takes the place of FILE when all are there.
+    They go to standard output, or to FILE.part, which takes the place of FILE when all are there.
 
     Parameters
     ----------
@@ -152,7 +152,7 @@ class Kept:
         self.last, self.length = n, self.length + len(data)
 
     def ended(self) -> None:
-        """All lines are there."""
+        """Close the file: all lines are there, and FILE.part takes the place of FILE."""
         if self.file is not None:
             self.file.close()
             if not self.whole:

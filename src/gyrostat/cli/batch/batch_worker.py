@@ -1,6 +1,6 @@
-"""A process that answers the lines of a batch, each within a time.
+"""Answers the lines of a batch in another process, each within a time.
 
-Where one takes longer, another process takes the next line.
+If a line takes longer, the process is ended, and another one takes the next line.
 """
 import argparse
 import json
@@ -71,7 +71,7 @@ def refusal(n: int, why: str) -> Answer:
 def _within(connection: Connection, seconds: float | None) -> bool:
     """Whether something comes within the time.
 
-    As connection.poll, which makes a selector for each call, where select knows pipes.
+    If select knows pipes, it is used: connection.poll makes a selector for each call.
     """
     if os.name == "nt":
         return connection.poll(seconds)
@@ -99,7 +99,7 @@ class Worker:
         self.end()
 
     def start(self) -> Connection:
-        """The connection to the process; ValuesError where the options are wrong for every line."""
+        """The connection to the process; a ValuesError if the options are wrong for every line."""
         if self.connection is not None:
             return self.connection
         methods = multiprocessing.get_all_start_methods()

@@ -1,4 +1,4 @@
-"""--scene FILE#NAME: the [scene.NAME] table of a file, in the place of the options that are left out."""
+"""Fills the options that are not given from the table [scene.NAME] of a file: --scene FILE#NAME."""
 import argparse
 from collections.abc import Collection, Iterable
 from dataclasses import fields
@@ -12,20 +12,21 @@ from ...mechanics.families.scene_tables import SceneTable, scene_tables
 from ...questions.given_numbers import SPINS, numbers_of, unless_given
 from ...questions.scene_texts import BODY, Asked, entries_of, text_of
 
-# what an option of that name has too
+# keys for which there is an option of the same name
 TEXTS = (*BODY, "spin", "eliminate", "point", "state", "integrals", "orbit", "pointing",
          "direction", "release")
 REPEATED = ("integrals",)                              # texts of an option that may be repeated
-# of two one is given, and one goes before the other
+# of each pair one is given; an option for one overrides the other in the file
 NAMING, STARTING = frozenset({"equilibrium", "point"}), frozenset({"state", "release"})
 SEVERAL = ("report", "conditions")                     # verbs that take more than one --equilibrium
 
 
 def with_scene(given: argparse.Namespace) -> argparse.Namespace:
-    """The options, and where they are left out what the file of --scene says.
+    """The options, completed by the file of --scene.
 
-    A number of the file gives way to one of --set and to an axis; its equilibrium, or its point, to either;
-    and with a text that gives way go the numbers that it alone names.
+    Options override the file: --set and an axis override a number, --equilibrium and --point override its
+    equilibrium or its point. If a text of the file is overridden, the numbers that it alone names are
+    dropped.
     """
     if getattr(given, "scene", None) is None:
         return given
@@ -57,7 +58,7 @@ def with_scene(given: argparse.Namespace) -> argparse.Namespace:
 
 
 def asked_of(given: argparse.Namespace, names: Collection[str]) -> Asked:
-    """What the options say, with the body that the names belong to."""
+    """What the options ask, with the body to which the names belong."""
     texts = {entry.name: getattr(given, entry.name, None) for entry in fields(Asked)}
     if texts["integrals"] is not None:
         texts["integrals"] = tuple(texts["integrals"])
@@ -88,7 +89,7 @@ def scene_of_file(place: str) -> SceneTable:
 
 
 def _names(texts: Iterable[Any]) -> set[str]:
-    """What reads as a name in them."""
+    """The names that occur in the texts."""
     return {name for text in texts for name in names_in(text_of(text))}
 
 

@@ -1,4 +1,4 @@
-"""The options that name a scene, its numbers, and equilibria of it, by their names or by a point."""
+"""Declares the options for a scene, its numbers, and its equilibria, by their names or by a point."""
 import argparse
 from difflib import get_close_matches
 
@@ -8,7 +8,7 @@ THREE = "three numbers or expressions, separated by commas"
 
 
 def scene_file(verb: argparse.ArgumentParser) -> None:
-    """A scene of a file, and the body of one."""
+    """Declare --scene, and the options for a body."""
     verb.add_argument("--scene", metavar="FILE[#NAME]",
                       help="read the table [scene.NAME] of a TOML file, as gyrostat verify does, with "
                       "numbers in values; options override the file")
@@ -22,7 +22,7 @@ def scene_file(verb: argparse.ArgumentParser) -> None:
 
 
 def integral(verb: argparse.ArgumentParser) -> None:
-    """Integrals of the scene that are not found."""
+    """Declare integrals of the scene, which are not found without it."""
     verb.add_argument("--integral", metavar="EXPR", action="append", dest="integrals",
                       help="an integral of the scene, in pi1, pi2, pi3 (or M1, M2, M3, where M = π + l), "
                       "k1, k2, k3 and the names of the scene; its bracket with the energy is proved to be 0; "
@@ -30,7 +30,7 @@ def integral(verb: argparse.ArgumentParser) -> None:
 
 
 def claimed_point(verb: argparse.ArgumentParser) -> None:
-    """An equilibrium by its coordinates, and by which names a family is written."""
+    """Declare an equilibrium by its coordinates, and the names in which a family is written."""
     verb.add_argument("--point", metavar="PI1,PI2,PI3,K1,K2,K3",
                       help="an equilibrium of any scene by its coordinates, numbers or expressions: "
                       "0,0,I3*w,0,0,1; for a free body PI1,PI2,PI3, in orbit "
@@ -47,7 +47,7 @@ def claimed_point(verb: argparse.ArgumentParser) -> None:
 
 
 def pointing(verb: argparse.ArgumentParser) -> None:
-    """The attitude of a satellite."""
+    """Declare the attitude of a satellite."""
     verb.add_argument("--pointing", metavar="ROLL,PITCH,YAW",
                       help="in orbit: the body axes along the velocity, the normal of the orbit and the "
                       "vertical, away from the Earth: 1, 2, 3 in some order, with a minus if the axis points "
@@ -55,14 +55,14 @@ def pointing(verb: argparse.ArgumentParser) -> None:
 
 
 def an_equilibrium(verb: argparse.ArgumentParser, left_out: str, action: str = "store") -> None:
-    """The equilibria, by their labels or by the words of the field."""
+    """Declare equilibria, by their labels or by the words of the field."""
     families = known_families()
     verb.add_argument("--equilibrium", action=action, type=_label, choices=tuple(named(families)),
                       metavar="NAME", help=f"{in_words(families)}; {left_out}")
 
 
 def _label(text: str) -> str:
-    """What the equilibrium of a name is asked for."""
+    """Read the name of an equilibrium."""
     families = known_families()
     if (family := called(text, families)) is None:
         near = get_close_matches(text.lower(), list(named(families)), 1)
@@ -74,7 +74,7 @@ def _label(text: str) -> str:
 
 def a_scene(verb: argparse.ArgumentParser, meaning: str,
            potential: str = "none for a free body; default: U unspecified") -> None:
-    """A field and numbers."""
+    """Declare a field, a body and numbers."""
     verb.add_argument("--potential", metavar="EXPR",
                       help="U in k3, or in k1, k2, k3, and parameters: names, numbers, + - * / ^, "
                       f"parentheses, sqrt, exp, log, sin, …; {potential}")
@@ -88,6 +88,6 @@ def a_scene(verb: argparse.ArgumentParser, meaning: str,
 
 
 def numbers(verb: argparse.ArgumentParser, meaning: str) -> None:
-    """Numbers of names."""
+    """Declare numbers of names."""
     verb.add_argument("--set", action="extend", nargs="+", default=[], metavar="NAME=VALUE", dest="values",
                       help=f"exact numbers, I1=1.6 l=1/2 k3='sqrt(3)/2': {meaning}")

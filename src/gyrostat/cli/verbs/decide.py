@@ -1,4 +1,4 @@
-"""gyrostat decide: verdicts at numbers, of the equilibrium they name or of all they allow."""
+"""gyrostat decide: verdicts at numbers, for one equilibrium or for all that the numbers allow."""
 import argparse
 
 from ...notation import symbol

@@ -64,7 +64,7 @@ def run(given: argparse.Namespace, out: Output) -> int:
 
 def _followed(moving: Motion, times: Array, at: Callable[[Array], Any],
               exact: bool = False) -> tuple[list[Any], dict[str, float]]:
-    """What there is at the times, part by part, and the largest drifts of what is in doubles."""
+    """Evaluate the motion at the times, part by part; if it is in doubles, with the largest drifts."""
     found, drift, done = [], dict[str, float](), 0
     with telling(None, "motion") as told:
         for part in np.array_split(times, min(len(times), PARTS)):
@@ -77,9 +77,9 @@ def _followed(moving: Motion, times: Array, at: Callable[[Array], Any],
 
 def _table(moving: Motion, times: Array, out: Output, digits: int | None,
            pointing: Sequence[int]) -> dict[str, float]:
-    """Comma-separated, after a # what is known of it.
+    """Write a table of comma-separated values, below lines with # that say what is known of it.
 
-    Doubles that are read back as they are, or all digits of the state.
+    Doubles are written so that they are read back unchanged; with a precision, all digits of the state.
     """
     if digits is None:
         states, turns, drift = _computed(moving, times)
@@ -100,14 +100,14 @@ def _table(moving: Motion, times: Array, out: Output, digits: int | None,
 
 
 def _head(moving: Motion, meaning: list[str], digits: int | None) -> str:
-    """The numbers that a table is of, and what its columns mean, each line after a #."""
+    """The lines with # of a table: the numbers of the body, and what the columns mean."""
     known = [f"{name} = {value}" for name, value in moving.attributes.items()
              if name in NUMBERS or name == "error" and digits is None]     # the error is that of the doubles
     return "".join(f"# {line}\n" for line in [*known, "time [s]: from the state given", *meaning])
 
 
 def _computed(moving: Motion, times: Array) -> tuple[Array, Array | None, dict[str, float]]:
-    """States, attitudes and the largest drifts, part by part."""
+    """Compute states, attitudes and the largest drifts, part by part."""
     parts, drift = _followed(moving, times, lambda part: (moving(part), turns_of(moving.attitude, part)))
     states, turns = zip(*parts)
     attitudes = None if turns[0] is None else np.concatenate(turns)
@@ -115,7 +115,7 @@ def _computed(moving: Motion, times: Array) -> tuple[Array, Array | None, dict[s
 
 
 def _data(moving: Motion, times: Array, path: Path, pointing: Sequence[int]) -> dict[str, float]:
-    """netCDF."""
+    """Write the motion as netCDF."""
     states, turns, drift = _computed(moving, times)
     found = columns(moving.scene, times, states, turns, pointing)
     save_netcdf(dataset(found, times, moving.attributes), path)
@@ -123,9 +123,10 @@ def _data(moving: Motion, times: Array, path: Path, pointing: Sequence[int]) -> 
 
 
 def _picture(moving: Motion, times: Array, path: Path, pointing: Sequence[int]) -> dict[str, float]:
-    """Left the sphere, of a free body with the path of M, of a body in a field with that of e3.
+    """Draw the sphere on the left, and the components over the time on the right.
 
-    Right the components over the time. Of a satellite in orbit roll, pitch and yaw.
+    On the sphere is the path of M for a free body, and that of the axis e3 in a field. For a satellite roll,
+    pitch and yaw are drawn.
     """
     from matplotlib.figure import Figure
 
@@ -153,8 +154,7 @@ def _picture(moving: Motion, times: Array, path: Path, pointing: Sequence[int]) 
 
 
 def _polhode(ax: Any, moving: Motion, states: Array) -> None:
-    """The momentum sphere with the curves of this energy, and on them, heavy, the path of M, from a dot on.
-    """
+    """Draw the momentum sphere with the curves of this energy; the path of M is heavy and begins at a dot."""
     rotor = moving.scene.body.gyrostatic_momentum
     momentum = sqrt(Add(*((p + l)**2 for p, l in zip(moving.state, rotor))))
     draw_momentum_sphere(moving.scene, momentum, {}, [moving.energy], ax)
@@ -173,7 +173,7 @@ def _components(ax: Any, times: Array, values: Array, names: list[str]) -> None:
 
 
 def _film(moving: Motion, times: Array, path: Path) -> dict[str, float]:
-    """One picture for each time, made once it is known that they can be written."""
+    """Write an animation, a picture for each time; none is drawn if it cannot be written."""
     from matplotlib.figure import Figure
 
     def save(path: Path, writer: Any) -> None:

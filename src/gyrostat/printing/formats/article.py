@@ -1,4 +1,4 @@
-"""Reports as LaTeX articles and fragments: sentences, numbered equations that fit the line, references."""
+"""Writes reports as LaTeX articles or fragments, with equations that fit the line, and references."""
 import re
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
@@ -22,8 +22,7 @@ _SYMBOLS = 0.22, 0.72                                      # of a line: symbols,
 
 def document(reports: Iterable[Report], decisions: Iterable[Sequence[Block]] = (), paper: Paper = PLAIN,
              after: Sequence[Block] = ()) -> str:
-    """An article with the scene of the first report, every report, what is decided of each, and what comes
-    after.
+    """Write an article: the scene of the first report, every report with its decision, and what follows.
 
     A fragment has no preamble, fits a column of 12 cm, and names its references in comments.
     """
@@ -36,7 +35,7 @@ def document(reports: Iterable[Report], decisions: Iterable[Sequence[Block]] = (
 
 
 def article(title: str, blocks: Sequence[Block], paper: Paper = PLAIN) -> str:
-    """Blocks as an article or a fragment, with the works they cite."""
+    """Write blocks as an article or a fragment, with the works they cite."""
     names, labels, limit = Names(paper.symbols), Labels(paper), NARROW if paper.fragment else LINE
     body = "\n".join(block_latex(block, names, limit, labels) for block in blocks)
     names.check(whole=True)
@@ -51,7 +50,7 @@ def article(title: str, blocks: Sequence[Block], paper: Paper = PLAIN) -> str:
 
 
 class Labels:
-    """The labels of a document, each once."""
+    """Gives the labels of a document, each once."""
 
     def __init__(self, paper: Paper):
         self.paper, self.part = paper, ""
@@ -67,7 +66,7 @@ class Labels:
 
 
 def preamble(title: str, packages: Iterable[str] = ()) -> str:
-    """An article up to its title."""
+    """Write an article up to its title."""
     return "\n".join((r"\documentclass{article}", r"\usepackage[utf8]{inputenc}",
                       *(rf"\usepackage{{{p}}}" for p in ("amsmath", *packages)),
                       r"\setlength{\textwidth}{17cm}", r"\setlength{\oddsidemargin}{-0.5cm}",
@@ -78,7 +77,7 @@ def preamble(title: str, packages: Iterable[str] = ()) -> str:
 
 
 def block_latex(block: Block, names: Names, limit: float, labels: Labels | None = None) -> str:
-    """A block; without labels where none are asked for."""
+    """Write a block, with a label if labels are given."""
     if isinstance(block, Heading):
         if labels and block.level == 1:
             labels.part = block.label
@@ -97,13 +96,13 @@ def block_latex(block: Block, names: Names, limit: float, labels: Labels | None 
 
 
 def sentence_latex(block: Sentence, names: Names) -> str:
-    """Prose with its formulas."""
+    """Write prose with its formulas."""
     return "".join(_words(part) if isinstance(part, str) else f"${inline(tex(part, names, block.at))}$"
                    for part in block.parts) + r"\par"
 
 
 def _symbols(block: Rows, names: Names, label: str) -> str:
-    """A table of two columns with a caption."""
+    """Write a table of two columns with a caption."""
     columns = "".join(rf"p{{{width}\linewidth}}" for width in _SYMBOLS)
     rows = [" & ".join(sentence_latex(Sentence(cell), names).removesuffix(r"\par") for cell in row) + r" \\"
             for row in block.rows]
@@ -113,9 +112,9 @@ def _symbols(block: Rows, names: Names, label: str) -> str:
 
 
 def _equations(block: Display, names: Names, limit: float) -> list[str]:
-    """The display, broken where it is too wide.
+    """Write a displayed formula, broken if it is too wide.
 
-    A matrix that stays too wide by its entries that are not 0.
+    If a matrix stays too wide, its entries that are not 0 are written one by one.
     """
     whole = display(block, names)
     if width(whole) <= limit:
@@ -135,12 +134,12 @@ def _equations(block: Display, names: Names, limit: float) -> list[str]:
 
 
 def inline(formula: str) -> str:
-    """A formula in a sentence: its parentheses do not keep it from being broken."""
+    """Write a formula for a sentence, so that lines may end inside its parentheses."""
     return formula.replace(r"\left(", "(").replace(r"\right)", ")")
 
 
 def _words(text: str) -> str:
-    """Prose in LaTeX; a typed list in it is broken at its commas."""
+    """Write prose for LaTeX; lines may end at the commas of a typed list."""
     return re.sub(r"\S{30,}", lambda word: word[0].replace(",", r",\allowbreak "), words(text))
 
 

@@ -1,7 +1,4 @@
-"""Scenes, reports and decisions as data for JSON.
-
-Expressions are strings in the grammar of the command line.
-"""
+"""Makes data for JSON of scenes, reports and decisions; expressions are texts in the grammar."""
 import json
 import math
 from collections.abc import Mapping, Sequence
@@ -58,7 +55,7 @@ def report_data(report: Report) -> dict[str, Any]:
 
 
 def conditions_data(report: Report) -> dict[str, Any]:
-    """Where an equilibrium exists, and what decides there."""
+    """When an equilibrium exists, and what decides there."""
     eq = report.equilibrium
     definitions = {}
     if report.closed is not None:
@@ -84,19 +81,19 @@ def boundary_data(report: Report) -> dict[str, Any] | None:
 
 
 def drift_data(drift: Drift) -> dict[str, Any]:
-    """D, and the rates of the relative equilibria nearby, None where any rate goes."""
+    """D, and the rates of the relative equilibria nearby; None if every rate occurs."""
     return {"defect": str(drift.defect), "rates": strings(drift.rates) if drift.omega else None}
 
 
 def criterion_data(criterion: Criterion) -> dict[str, Any]:
-    """Any of the alternatives, all of the conditions of one."""
+    """A criterion: it holds if all conditions of one of the alternatives do."""
     return {"notion": str(criterion.notion), "modulo": strings(criterion.modulo),
             "any_of": [{"all_of": [condition_data(c) for c in alternative]}
                        for alternative in criterion.alternatives]}
 
 
 def condition_data(c: Condition) -> dict[str, Any]:
-    """margin > 0, or ≥ 0 where it is not strict."""
+    """A condition: margin > 0, or margin ≥ 0 if it is not strict."""
     return {"margin": str(c.margin), "strict": c.strict, "source": c.source,
             "zero_where": strings(c.degenerate), "at": str(c.at)}
 
@@ -121,7 +118,7 @@ def damped_data(decision: Decision) -> dict[str, Any]:
 
 
 def form_data(form: "NormalForm") -> dict[str, Any]:
-    """A normal form: numbers exactly, where they are, and as decimals."""
+    """A normal form: numbers exactly, if they are known so, and as decimals."""
     return {"frequencies": [number_data(omega) for omega in form.frequencies],
             "coefficients": [{"powers": [m, n], "value": number_data(c)} for m, n, c in form.coefficients],
             "twists": {f"D{2 * degree}": number_data(D) for degree, D in enumerate(form.twists, 2)},
@@ -136,7 +133,7 @@ def window_data(window: "Window") -> dict[str, Any]:
 
 
 def number_data(number: Expr | None) -> dict[str, Any] | None:
-    """A number exactly and as a decimal, None for none."""
+    """A number exactly and as a decimal; None stays None."""
     return None if number is None else {"exact": str(number), "decimal": double(number)}
 
 
@@ -146,7 +143,7 @@ def rate_data(number: Expr) -> dict[str, Any]:
 
 
 def double(number: Expr) -> float | None:
-    """The double next to a number, None where none is: JSON has no infinity."""
+    """The double next to a number; None if there is none, as JSON has no infinity."""
     enclosed = accurate(number, 60)                        # of nested roots sooner than evalf
     value = float(enclosed.mid() if enclosed.is_finite() else number.evalf(17))
     return value if math.isfinite(value) else None
@@ -154,7 +151,7 @@ def double(number: Expr) -> float | None:
 
 def reports_data(scene: System, reports: Sequence[Report],
                  decisions: Mapping[str, tuple[Decision, Decision]]) -> dict[str, Any]:
-    """A scene with its reports, and their decisions where there are numbers."""
+    """A scene with its reports, and their decisions if there are numbers."""
     equilibria = []
     for report in reports:
         both = decisions.get(report.equilibrium.label)

@@ -1,4 +1,4 @@
-"""LaTeX of expressions, matrices and every public object, in the notation of the sources."""
+"""Writes expressions, matrices and every public object in LaTeX, in the notation of the sources."""
 import re
 from collections.abc import Iterable, Sequence
 from functools import singledispatch
@@ -38,7 +38,7 @@ _RELATION = re.compile(r" ([<>=≥≤≠]) ")
 
 
 class Printer(LatexPrinter):
-    """Terms and factors in the order of the notation.
+    """Prints terms and factors in the order of the notation.
 
     Derivatives of U take their argument from at.
     """
@@ -51,7 +51,7 @@ class Printer(LatexPrinter):
         return self.names.of(expr.name, self.at)
 
     def _print_Integer(self, expr: Rational) -> str:
-        """Of any length: Python refuses to print more than 4300 digits."""
+        """Write an integer of any length; Python refuses to print more than 4300 digits."""
         return str(fmpz(int(expr.p)))
 
     def _print_Rational(self, expr: Rational) -> str:
@@ -96,7 +96,7 @@ class Printer(LatexPrinter):
 
 
 def tex(value: Any, names: Names, at: Any = None) -> str:
-    """An expression, a matrix, a number or a name."""
+    """Write an expression, a matrix, a number or a name."""
     if isinstance(value, Word):
         return names.fill(value.latex)
     if isinstance(value, Number):
@@ -109,7 +109,7 @@ def tex(value: Any, names: Names, at: Any = None) -> str:
 
 
 def formula(obj: Any, names: Names | None = None) -> str:
-    """A single formula for any public object; a report is its two criteria."""
+    """Write a single formula for any public object; a report is its two criteria."""
     return _formula(obj, names or Names())
 
 
@@ -207,7 +207,7 @@ def _report(report: Report, names: Names) -> str:
 
 
 def _line(block: Block, names: Names) -> str:
-    """A sentence or a display as one line of a formula."""
+    """Write a sentence or a display as one line of a formula."""
     if not isinstance(block, Sentence):
         return display(block, names) if isinstance(block, Display) else rf"\text{{{block.title}}}"
     line = ""
@@ -240,11 +240,11 @@ def _aligned(rows: Iterable[tuple[Word, Any]], names: Names) -> str:
 
 
 def _entered(value: Any, names: Names) -> str:
-    """A number that was given as a decimal with it."""
+    """Write a number; if it was given as a decimal, that stands beside it."""
     return tex(value, names) + (rf" \; ({decimal})" if (decimal := double(value)) else "")
 
 
 def display(block: Display, names: Names) -> str:
-    """name = value, or a comparison."""
+    """Write name = value, or a comparison."""
     relation = RELATIONS.get(block.relation, block.relation)
     return f"{tex(block.name, names, block.at)} {relation} {tex(block.value, names, block.at)}"

@@ -1,4 +1,4 @@
-"""The LaTeX of every name in a document: that of the notation, or the symbol that a paper has for it."""
+"""Gives the LaTeX of every name in a document: that of the notation, or the symbol of a paper."""
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field

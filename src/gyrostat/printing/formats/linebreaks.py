@@ -1,4 +1,4 @@
-"""How wide a formula is in LaTeX, estimated in points, and where it is broken so that it fits a line."""
+"""Estimates how wide a formula is in LaTeX, in points, and breaks it so that it fits a line."""
 import re
 
 _TOKEN = re.compile(r"\\[A-Za-z]+|\\.|[{}^_&]|\s+|.", re.DOTALL)
@@ -13,7 +13,9 @@ _PLAIN = {"+": 12.2, "-": 12.2, "=": 13.4, "<": 13.4, ">": 13.4, "(": 4.5, ")": 
 
 
 def width(tex: str) -> float:
-    """Width in points at 10 pt, in display style; sub- and superscripts and nested fractions are smaller.
+    """Estimate the width in points of a formula at 10 pt, in display style.
+
+    Subscripts, superscripts and nested fractions are smaller.
 
     Examples
     --------
@@ -50,7 +52,7 @@ def _after(tokens: list[str], place: int, total: float) -> tuple[float, int]:
 
 
 def _group(tokens: list[str], place: int) -> tuple[str, int]:
-    """The argument that starts at a place, without its braces, and where it ends."""
+    """Give the argument that starts at a place, without its braces, and where it ends."""
     while tokens[place].isspace():
         place += 1
     if tokens[place] != "{":
@@ -63,7 +65,7 @@ def _group(tokens: list[str], place: int) -> tuple[str, int]:
 
 
 def _matrix(tokens: list[str], place: int, total: float) -> tuple[float, int]:
-    """A pmatrix: its widest entry in each column."""
+    """Add the width of a pmatrix: its widest entry in each column."""
     _, start = _group(tokens, place + 1)
     end = start + next(i for i, token in enumerate(tokens[start:]) if token == "\\end")
     rows = [row.split("&") for row in re.split(r"\\\\(?:\[\w+\])?", "".join(tokens[start:end]))]
@@ -73,7 +75,7 @@ def _matrix(tokens: list[str], place: int, total: float) -> tuple[float, int]:
 
 
 def broken(tex: str, limit: float) -> list[str]:
-    """The formula in lines of at most the limit, broken before a + or − outside fractions and roots.
+    """Break a formula into lines of at most the limit, broken before a + or − outside fractions and roots.
 
     Parentheses may be opened.
     """

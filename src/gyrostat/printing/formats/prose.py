@@ -1,4 +1,4 @@
-"""Prose in LaTeX, in ASCII: its mathematics in dollar signs, its accents as commands."""
+"""Writes prose in ASCII for LaTeX: mathematics between dollar signs, accents as commands."""
 import re
 from types import MappingProxyType
 from unicodedata import name, normalize
@@ -31,7 +31,7 @@ _MATHEMATICS = re.compile(rf"((?:{_DOTTED}|{_LOWERED}|{_RAISED}|{_SIGN})+)")
 
 
 def words(text: str) -> str:
-    r"""Prose in LaTeX; an expression in it stands as it is typed.
+    r"""Write prose for LaTeX; an expression in it stands as it is typed.
 
     Examples
     --------
@@ -54,7 +54,7 @@ def _sign(token: re.Match[str]) -> str:
 
 
 def _letter(c: str) -> str:
-    """A letter or sign of prose; of one that has no command its name."""
+    """Write a letter or a sign of prose; if it has no command, its name is written."""
     if c.isascii() or c in _PROSE:
         return _PROSE.get(c, c)
     base, accent = (plain := normalize("NFD", c))[0], plain[1:]

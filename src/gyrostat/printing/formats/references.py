@@ -1,4 +1,4 @@
-"""The works that a report cites, by the short form that stands in its sentences."""
+"""Lists the works that a report cites, by the short form that stands in its sentences."""
 
 REFERENCES = {
     "Lyapunov 1892": "A. M. Lyapunov, The General Problem of the Stability of Motion (1892)",

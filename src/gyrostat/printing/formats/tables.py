@@ -33,7 +33,7 @@ $-⟨c_⟩_n < 0$."""
 
 
 def conditions_table(reports: Iterable[Report], paper: Paper = PLAIN, after: Sequence[Block] = ()) -> str:
-    """The relations of each equilibrium, when it exists, and its conditions, as a table.
+    """Write the relations of each equilibrium, when it exists, and its conditions, as a table.
 
     The caption says what the equilibria are and which field acts. Below the table stand what decides between
     the two conditions, the symbols, what comes after, and the terms.
@@ -64,7 +64,7 @@ def conditions_table(reports: Iterable[Report], paper: Paper = PLAIN, after: Seq
 
 
 def _caption(given: Sequence[Report], names: Names) -> str:
-    """What the table is of: the field, and how each equilibrium moves."""
+    """Say what the table is about: the field, and how each equilibrium moves."""
     potential = given[0].equilibrium.system.potential
     field: tuple[Any, ...] = (" without a field",)
     if potential is not None:
@@ -83,7 +83,7 @@ def _caption(given: Sequence[Report], names: Names) -> str:
 
 
 def _lines(report: Report, names: Names) -> list[tuple[str, str]]:
-    """What stands in the second and the third column."""
+    """Write what stands in the second and the third column."""
     relations = [("satisfies", block) for block in tilt_relations(report.equilibrium)]
     exists = [("exists if", block) for block in _existence(report)]
     rungs = [("between the two", block) for block in _rungs(report)]
@@ -97,7 +97,10 @@ def _lines(report: Report, names: Names) -> list[tuple[str, str]]:
 
 
 def _cell(line: str) -> str:
-    """A formula in the column, where no line ends after a relation; what is divided out has its own line."""
+    """Write a formula for the column; no line ends after a relation.
+
+    The flow that is divided out has a line of its own.
+    """
     kept = inline(line)
     if width(line) > _WIDE:
         kept = _RELATION.sub(r"\1\\nobreak ", kept)
@@ -118,7 +121,7 @@ def _rungs(report: Report) -> list[Display]:
 
 
 def _ladder_note(given: Sequence[Report], names: Names) -> list[Word]:
-    """What the coefficients between the two conditions mean, at poles and at tilts."""
+    """Say what the coefficients between the two conditions mean, at poles and at tilts."""
     of = {report.equilibrium.label: report.boundary.pole for report in given
           if report.boundary is not None and _rungs(report)}
     if not of:
@@ -141,6 +144,6 @@ def _parts(report: Report) -> list[Any]:
 
 
 def _said(rows: Sequence[Row], names: Names) -> str:
-    """What the symbols are, in a sentence."""
+    """Say what the symbols are, in a sentence."""
     clauses = [(*left, ": ", *right) for left, right in rows]
     return sentence_latex(sentence(*joined("; ", clauses), "."), names)

@@ -1,4 +1,4 @@
-"""What print shows of every public object, and whole documents, in Unicode."""
+"""Writes every public object and whole documents in Unicode, as print shows them."""
 import re
 from collections.abc import Iterable
 from functools import singledispatch
@@ -37,9 +37,9 @@ NO_BREAK = "\u00a0"
 
 @singledispatch
 def plain(obj: Any) -> str:
-    """What print shows of a public object.
+    """Write a public object as print shows it.
 
-    A report as its document, a matrix in rows, everything else in a line or two.
+    A report is written as its document, a matrix in rows, everything else in a line or two.
 
     Examples
     --------
@@ -139,7 +139,7 @@ def number_text(value: Expr) -> str:
 
 
 def _entered(values: Iterable[Expr]) -> str:
-    """As in a row; a number that was given as a decimal with it."""
+    """List numbers as they were entered: a decimal stands beside the fraction that it was."""
     return ", ".join(shown(x).replace("-", "−") if double(x) else unicode(x) for x in values)
 
 
@@ -148,9 +148,9 @@ def _row(values: Iterable[Expr]) -> str:
 
 
 def text(blocks: Iterable[Block], width: int = 100) -> str:
-    """The document in Unicode, no line longer than the width unless one term of a formula is.
+    """Write a document in Unicode; no line is longer than the width, unless one term of a formula is.
 
-    Sentences are no wider than is read, and short formulas in them are left whole.
+    Sentences are at most 100 columns wide, and no line ends inside a short formula.
     """
     lines: list[str] = []
     for block in blocks:
@@ -171,13 +171,13 @@ def text(blocks: Iterable[Block], width: int = 100) -> str:
 
 
 def _whole(part: Any, at: Any) -> str:
-    """A part of a sentence, in which no line ends if it is a short formula."""
+    """Write a part of a sentence; no line ends inside a short formula."""
     shown = _inline(part, at)
     return shown if isinstance(part, str) or len(shown) > SHORT else shown.replace(" ", NO_BREAK)
 
 
 def _inline(part: Any, at: Any) -> str:
-    """A text as it is, a name, a number, or a formula."""
+    """Write a text, a name, a number or a formula in one line."""
     if isinstance(part, str):
         return part
     if isinstance(part, Number):
@@ -186,7 +186,7 @@ def _inline(part: Any, at: Any) -> str:
 
 
 def _symbols(block: Rows, width: int) -> list[str]:
-    """Symbols on the left, meanings beside them."""
+    """Write symbols on the left and their meanings beside them."""
     cells = [["".join(_whole(part, None) for part in cell) for cell in row] for row in block.rows]
     size = max((len(left) for left, _ in cells), default=0)
     lines = ["", f"  {block.title}"] if cells else []
@@ -213,7 +213,7 @@ def _displayed(block: Display, width: int) -> list[str]:
 
 
 def _broken(line: str, width: int) -> list[str]:
-    """A formula that is too long, broken before its signs + and −."""
+    """Break a formula that is too long before its signs + and −."""
     lines = [""]
     for piece in re.split(r" (?=[+−] )", line):
         if lines[-1] and len(lines[-1]) + 1 + len(piece) > width:

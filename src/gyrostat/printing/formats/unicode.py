@@ -1,4 +1,4 @@
-"""Formulas in one line of Unicode, matrices as aligned rows."""
+"""Writes formulas in one line of Unicode, and matrices as aligned rows."""
 from collections.abc import Sequence
 from functools import lru_cache
 from typing import Any
@@ -59,7 +59,7 @@ class _Unicode(StrPrinter):
         return "π"
 
     def _print_Rational(self, expr: Expr) -> str:
-        """Of any length: Python refuses to print more than 4300 digits."""
+        """Write a rational number of any length; Python refuses to print more than 4300 digits."""
         return str(fmpq(int(expr.p), int(expr.q))).replace("-", "−")
 
     _print_Integer = _print_Rational
@@ -71,7 +71,7 @@ class _Unicode(StrPrinter):
 
 @lru_cache(maxsize=1024)
 def unicode(expression: Expr, at: Any = None) -> str:
-    """An expression in one line; derivatives of U take their argument from at.
+    """Write an expression in one line; derivatives of U take their argument from at.
 
     Examples
     --------
@@ -83,7 +83,7 @@ def unicode(expression: Expr, at: Any = None) -> str:
 
 
 def matrix_lines(rows: Sequence[Sequence[Expr]], at: Any = None) -> list[str]:
-    """The rows of a matrix, columns aligned, in brackets."""
+    """Write the rows of a matrix in brackets, with aligned columns."""
     cells = [[unicode(entry, at) for entry in row] for row in rows]
     widths = [max(len(row[j]) for row in cells) for j in range(len(cells[0]))]
     last = len(cells) - 1

@@ -1,4 +1,4 @@
-"""What is found, as headings, sentences and formulas, before any typesetting.
+"""Turns what is found into headings, sentences and formulas, before any typesetting.
 
 `document` is a whole report: its `scene`, the point, both matrices and the `inequalities`; `boundary`,
 `drift` and `normal_form` say what decides between the criteria, `rotations` which names a family in any

@@ -1,6 +1,6 @@
-"""What is found beyond a report, as sentences and displays.
+"""Turns results beyond reports into sentences and displays.
 
-Sets of a parameter, branches, bifurcations, the reduced motion.
+They are sets of a parameter, branches, bifurcations and the reduced motion.
 """
 from collections.abc import Callable
 from functools import singledispatch
@@ -47,7 +47,7 @@ _RELATION = {"<": "<", ">": ">", "=": "=", "!=": "≠"}
 
 @singledispatch
 def result_blocks(obj: Any) -> list[Block]:
-    """The blocks of one result."""
+    """Make the blocks of one result."""
     raise TypeError(f"{type(obj).__name__} is no result")
 
 
@@ -79,7 +79,7 @@ _TITLES = {"exists": "It exists", "stable": "Stable", "sufficient": "Stable by t
 
 
 def _part(part: SolvedCondition, name: str, title: str) -> list[Block]:
-    """One line for each case."""
+    """Write one line for each case."""
     x = symbol(name)
     blocks: list[Block] = []
     names: dict[Expr, Expr] = {}
@@ -95,7 +95,7 @@ def _part(part: SolvedCondition, name: str, title: str) -> list[Block]:
 
 
 def _abbreviated(value: Any, names: dict[Expr, Expr], letters: Letters) -> Any:
-    """A part of a sentence, with names R1, R2, … for what is long under its roots, inner roots first."""
+    """Write a part of a sentence with names R1, R2, … for long radicands, inner roots first."""
     if not isinstance(value, Expr):
         return value
     done: dict[Expr, Expr] = {}
@@ -108,7 +108,7 @@ def _abbreviated(value: Any, names: dict[Expr, Expr], letters: Letters) -> Any:
 
 
 def _set(intervals: tuple[Interval, ...], x: Expr) -> tuple[Any, ...]:
-    """A union of intervals in words and formulas."""
+    """Write a union of intervals in words and formulas."""
     if not intervals:
         return "no ", x
     lowest = S.Zero if x.is_positive else -oo
@@ -138,7 +138,7 @@ def _set(intervals: tuple[Interval, ...], x: Expr) -> tuple[Any, ...]:
 
 
 def _too(ends: tuple[Any, ...], rungs: Ladder) -> tuple[Any, ...]:
-    """When ends belong to the set, if there is anything to say."""
+    """Say when ends belong to the set, if there is anything to say."""
     if rungs == INCLUDED or all((-rung).is_nonnegative for rung in rungs):
         return ()
     return ("; ", *ends, " too if ", *_included(rungs))
@@ -163,7 +163,7 @@ def _interval(i: Interval, x: Expr, lowest: Expr) -> tuple[Any, ...]:
 
 
 def _included(rungs: Ladder) -> tuple[Any, ...]:
-    """When an end belongs to the set: the first that is not 0 is positive."""
+    """Say when an end belongs to the set: if the first rung that is not 0 is positive."""
     clauses: list[tuple[Any, ...]] = []
     for n, rung in enumerate(rungs):
         if (-rung).is_nonnegative:                         # it cannot be positive
@@ -176,7 +176,7 @@ def _included(rungs: Ladder) -> tuple[Any, ...]:
 
 
 def _vanishing(rung: Expr) -> Expr:
-    """What is 0 where the rung is: of a negative square its root."""
+    """Give what is 0 if the rung is: the root of a negative square."""
     return readable(rational_root(-rung) or rung if (-rung).is_nonnegative else rung)
 
 

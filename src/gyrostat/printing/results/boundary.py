@@ -1,4 +1,4 @@
-"""What decides between the two criteria: the ladder of coefficients of the reduced motion."""
+"""Writes what decides between the two criteria: the ladder of coefficients of the reduced motion."""
 from itertools import islice
 from typing import Any
 
@@ -21,7 +21,7 @@ _BETWEEN = "if the necessary condition holds and the sufficient one does not, "
 
 
 def boundary_blocks(report: Report) -> list[Block]:
-    """What decides where the necessary condition holds and the sufficient one does not.
+    """Say what decides if the necessary condition holds and the sufficient one does not.
 
     The ladder, if there is one.
     """
@@ -62,7 +62,7 @@ def boundary_blocks(report: Report) -> list[Block]:
 
 
 def _series(letters: Letters, boundary: Boundary) -> Word:
-    """g by its powers, of which a pole has fractional ones where U has."""
+    """Write g by its powers; at a pole they are fractions if U has such powers."""
     near = boundary.equilibrium.near_pole
     if near is None or near.smooth:
         return word(letters, "⟨g⟩ = ⟨c3⟩ ⟨x⟩³ + ⟨c4⟩ ⟨x⟩⁴ + …",
@@ -73,7 +73,7 @@ def _series(letters: Letters, boundary: Boundary) -> Word:
 
 
 def squared_rate(scene: System) -> Expr:
-    """I1² k̇3² in the names of the body."""
+    """Write I1² k̇3² in the names of the body."""
     return scene.body.moments[0] ** 2 * symbol("k3_dot") ** 2
 
 
@@ -83,7 +83,10 @@ def undecided(report: Report) -> bool:
 
 
 def ladder(boundary: Boundary) -> tuple[list[Rung], bool]:
-    """The rungs to show, without those that vanish with the ones before, and whether more may follow."""
+    """Choose the rungs to show, and tell whether more may follow.
+
+    Rungs that vanish together with the ones before are left out.
+    """
     rungs: list[Rung] = []
     for rung in islice(boundary.rungs(), FEW if boundary.last is None else SEVERAL):
         margin = rung.condition.margin
@@ -97,7 +100,7 @@ def ladder(boundary: Boundary) -> tuple[list[Rung], bool]:
 
 
 def rung_display(rung: Rung, letters: Letters) -> Display:
-    """−c ∝ what has its sign: the margin, with its even factors."""
+    """Write −c ∝ what has its sign: the margin with its even factors."""
     condition, sub = rung.condition, str(rung.power).translate(SUBSCRIPTS)
     value = Mul(condition.margin, *(factor**2 for factor in condition.degenerate))
     name = word(letters, f"−⟨c_⟩{sub}", f"-⟨c_⟩_{{{rung.power}}}")
@@ -105,7 +108,7 @@ def rung_display(rung: Rung, letters: Letters) -> Display:
 
 
 def _outcome(boundary: Boundary, rungs: list[Rung], more: bool, modulo: tuple[Expr, ...]) -> list[Any]:
-    """What each sign means, and what comes after the rungs shown."""
+    """Say what each sign means, and what comes after the rungs shown."""
     parts: list[Any] = []
     odd, even = any(r.escapes for r in rungs), any(not r.escapes for r in rungs)
     positive, negative = (word(letters_of(boundary.equilibrium.system), f"−⟨c_⟩ₙ {sign} 0",

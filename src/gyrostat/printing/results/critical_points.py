@@ -1,4 +1,4 @@
-"""Relative equilibria, and the amended potential of which permanent rotations are critical points."""
+"""Describes relative equilibria, and the amended potential with its critical points."""
 from typing import Any
 
 from sympy import Add
@@ -18,12 +18,12 @@ VECTORS = {"k": Word("k", "⟨vector_k⟩"), "M": Word("M", "⟨vector_M⟩"), "
 
 
 def relative_equilibrium(found: RelativeEquilibrium) -> list[Block]:
-    """Where it lies, on which set of others, and its verdict."""
+    """Say where an equilibrium lies, on which set of others, and its verdict."""
     return [sentence(f"{found.label} at ", *_place(found), _ended(found))]
 
 
 def critical_point(point: CriticalPoint) -> list[Block]:
-    """Which one it is, the value there, and the rotation."""
+    """Say which kind of critical point it is, the value there, and the rotation."""
     kind = "degenerate point" if point.kind == "degenerate" else point.kind
     amended = _amended(letters_of(point.rotation.scene))
     return [sentence(f"{kind} of ", amended, " = ", in_sentence(point.value), " at ", *_place(point.rotation),
@@ -31,7 +31,7 @@ def critical_point(point: CriticalPoint) -> list[Block]:
 
 
 def amended_potential(amended: AmendedPotential) -> list[Block]:
-    """U_c = …, its two parts each as it reads best."""
+    """Write U_c = …, with each of its two parts in a form that reads well."""
     U = amended.scene.potential
     assert U is not None
     letters = letters_of(amended.scene)
@@ -40,12 +40,12 @@ def amended_potential(amended: AmendedPotential) -> list[Block]:
 
 
 def _amended(letters: Letters) -> Word:
-    """U_c."""
+    """The letter U_c."""
     return word(letters, "⟨U⟩_c", "⟨U⟩_{c}")
 
 
 def _place(found: RelativeEquilibrium) -> tuple[Any, ...]:
-    """Vectors and names with their numbers, then the name that takes every value."""
+    """List vectors and names with their numbers, then the name that takes every value."""
     clauses = [(VECTORS[name], " = (", *listed(map(in_sentence, value)), ")") if isinstance(name, str)
                else (name, " = ", in_sentence(value))
                for name, value in found.form.described if value is not None]

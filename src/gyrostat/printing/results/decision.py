@@ -1,4 +1,4 @@
-"""A verdict at numbers, with its margins."""
+"""Writes a verdict at given numbers, with its margins and its reason."""
 from collections.abc import Iterator
 from typing import Any
 
@@ -26,7 +26,7 @@ _TITLES = {Verdict.STABLE: "Lyapunov stable", Verdict.UNSTABLE: "unstable", Verd
 
 
 def decision_blocks(decision: Decision, at: Any, of: str = "Verdict") -> list[Block]:
-    """The verdict at the numbers given."""
+    """Write the verdict at given numbers."""
     modulo = (" ", *modulo_flow(decision.modulo)) if decision.modulo and decision.notion else ()
     letters = letters_of_decision(decision)
     level = (" on its level of ", *listed(levels_of(decision, letters))) if decision.level else ()
@@ -49,7 +49,7 @@ def decision_blocks(decision: Decision, at: Any, of: str = "Verdict") -> list[Bl
 
 
 def note_blocks(note: str) -> list[Block]:
-    """What is unusual about the numbers, if anything."""
+    """Write what is unusual about the numbers, if anything is."""
     return [sentence(f"Note: {note}.")] if note else []
 
 
@@ -59,18 +59,18 @@ def letters_of_decision(decision: Decision) -> Letters:
 
 
 def levels_of(decision: Decision, letters: Letters) -> list[Expr]:
-    """What is kept where a proof is for one level alone, in these letters."""
+    """The integrals that keep their values if a proof is for one level alone, in these letters."""
     return [symbol(letters.of(C1.name)) if level == C1 else level for level in decision.level]
 
 
 def reason_block(decision: Decision) -> Sentence:
-    """The notion and the reason."""
+    """Write the notion and the reason."""
     notion = f" ({decision.notion})" if decision.notion else ""
     return sentence(letters_of_decision(decision).prose(f"Reason{notion}: {decision.reason}."))
 
 
 def named_margins(decision: Decision) -> Iterator[tuple[Expr, str, Expr]]:
-    """The margins that are not numbers, the name of each that is long, else "", and its value."""
+    """Give the margins that are not numbers, each with its value and, if it is long, its name."""
     for n, (margin, value) in enumerate(decision.margins):
         if margin.free_symbols:
             long = decision.names and len(str(margin)) > LONG
@@ -78,7 +78,7 @@ def named_margins(decision: Decision) -> Iterator[tuple[Expr, str, Expr]]:
 
 
 def damped_block(decision: Decision, damped: Decision | None) -> Sentence:
-    """What internal damping makes of a verdict; None: of what is no equilibrium under it."""
+    """Say what internal damping makes of a verdict; None stands for no equilibrium under it."""
     said = _IN_WORDS[decision.verdict]
     if damped is None:
         return sentence(f"{said}; with internal damping it is no equilibrium, because ω turns in the body.")

@@ -1,4 +1,4 @@
-"""A report as a sequence of headings, sentences and displayed formulas, before any typesetting."""
+"""Turns a report into headings, sentences and displayed formulas."""
 from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
@@ -20,7 +20,14 @@ from ..glossary import term_blocks
 from ..letters import letter, letters_of, word
 from ..nomenclature import occurring, symbol_rows
 from .boundary import boundary_blocks
-from .inequalities import criterion_blocks, existence, implied_blocks, integral_blocks, polynomial_of
+from .inequalities import (
+    criterion_blocks,
+    existence,
+    implied_blocks,
+    integral_blocks,
+    polynomial_of,
+    short_blocks,
+)
 from .rotations import (
     definition_blocks,
     family_blocks,
@@ -37,21 +44,21 @@ LONG = 80
 
 
 def whole_blocks(scene: System, found: Sequence[Block]) -> list[Block]:
-    """A scene, what its symbols are, what is found of it, and what the terms mean that it uses."""
+    """Write a scene, what its symbols are, what is found of it, and what the terms mean that it uses."""
     blocks = scene_blocks(scene)
     return [*blocks, symbol_rows(scene, occurring([*blocks, *found])), *found,
             *term_blocks([*blocks, *found])]
 
 
 def conditions_blocks(report: Report) -> list[Block]:
-    """The conditions of one equilibrium, without the way to them."""
+    """Write the conditions of one equilibrium, without their derivation."""
     eq = report.equilibrium
     exists = [existence(d, eq.at) for d in eq.existence() if d.free_symbols]
     if exists:
         exists = [sentence("It exists if:"), *exists]
     return [Heading(title_of(eq)), *tilt_blocks(eq), *family_blocks(eq), *exists,
             *criterion_blocks("Necessary", report.necessary, eq.at, "necessary"),
-            *criterion_blocks("Sufficient", report.sufficient, eq.at, "sufficient"),
+            *short_blocks(report), *criterion_blocks("Sufficient", report.sufficient, eq.at, "sufficient"),
             *integral_blocks(report),
             *boundary_blocks(report),
             *criterion_blocks("Under internal damping", report.damped, eq.at, "damped"),
@@ -59,7 +66,7 @@ def conditions_blocks(report: Report) -> list[Block]:
 
 
 def report_blocks(report: Report) -> list[Block]:
-    """One equilibrium: point, linearisation, polynomial, second variation, criteria."""
+    """Write one equilibrium: point, linearisation, polynomial, second variation, criteria."""
     eq = report.equilibrium
     blocks: list[Block] = [Heading(title_of(eq), label=eq.label), *point_blocks(eq),
                            *parallel_blocks(report)]
@@ -77,6 +84,7 @@ def report_blocks(report: Report) -> list[Block]:
         "equilibrium is unstable (Lyapunov 1892). Sufficient: if the second variation is definite, the "
         f"equilibrium is Lyapunov stable (Holm, Marsden, Ratiu & Weinstein 1985).{modulo}")]
     blocks += [*criterion_blocks("Necessary (spectral)", report.necessary, eq.at, "necessary"),
+               *short_blocks(report),
                *criterion_blocks("Sufficient (formal, hence Lyapunov)", report.sufficient, eq.at,
                                  "sufficient"), *integral_blocks(report)]
     if report.casimirs_only != report.sufficient:
@@ -95,7 +103,7 @@ def report_blocks(report: Report) -> list[Block]:
 
 
 def point_blocks(eq: Equilibrium) -> list[Block]:
-    """The point, what holds on its family, and where the family exists."""
+    """Write the point, what holds on its family, and when the family exists."""
     coordinates = eq.system.space.coordinates
     point, roots = _named_roots(eq, ImmutableMatrix([eq.point]))
     place: tuple[Any, ...] = ("(", *listed(coordinates), ") = (", *listed(point), ")")
@@ -122,8 +130,7 @@ def point_blocks(eq: Equilibrium) -> list[Block]:
 
 
 def solved_tilt(eq: Equilibrium) -> Expr | None:
-    """k3 of a tilted family in closed form, where its relation is affine in k3 and another name was
-    eliminated.
+    """Solve the relation of a tilted family for k3, if it is affine in k3 and expresses another name.
     """
     potential, slope = eq.system.potential, symbol("dU")
     slopes = [value for name, value in eq.relations if name == slope]
@@ -135,7 +142,7 @@ def solved_tilt(eq: Equilibrium) -> Expr | None:
 
 def _named_roots(eq: Equilibrium,
                  matrix: ImmutableMatrix) -> tuple[ImmutableMatrix, list[tuple[Symbol, Expr]]]:
-    """Roots among the coordinates of the point are shown under the coordinate's name."""
+    """Replace roots among the coordinates of the point by the names of the coordinates."""
     roots = {value: x for x, value in zip(eq.system.space.coordinates, eq.point) if isinstance(value, Pow)
              and value.exp == S.Half}
     return matrix.xreplace(roots), [(x, value) for value, x in roots.items()]
@@ -185,7 +192,7 @@ def _eigenvalues(linear: Linearization, at: Any) -> list[Block]:
 
 
 def _readable_roots(expression: Expr) -> Expr:
-    """What is under roots as it reads best; an expression without roots as a sum over its denominators."""
+    """Write radicands in a form that reads well; without roots split over the denominators."""
     roots = [x for x in expression.atoms(Pow) if x.exp == S.Half]
     if not roots:
         return split(expression)

@@ -1,4 +1,4 @@
-"""Why a tilted equilibrium is stable modulo a flow, and not as a point."""
+"""Says why a tilted equilibrium is stable modulo a flow, and not as a point."""
 from ...algebra.rings.readable import readable
 from ...stability.report.report import Report
 from ...stability.theorems.drift import Drift
@@ -7,7 +7,7 @@ from ..letters import letter, letters_of, word
 
 
 def drift_blocks(report: Report) -> list[Block]:
-    """Why a tilted equilibrium is not Lyapunov stable as a point."""
+    """Say why a tilted equilibrium is not Lyapunov stable as a point."""
     drift, blocks = report.drift, list[Block]()
     eq = drift.equilibrium
     letters = letters_of(eq.system)
@@ -33,7 +33,7 @@ def drift_blocks(report: Report) -> list[Block]:
 
 
 def drift_displays(drift: Drift) -> list[Block]:
-    """The rates of the relative equilibria nearby, unless any goes, and D."""
+    """Write D and the rates of the relative equilibria nearby, unless every rate occurs."""
     at, letters = drift.equilibrium.at, letters_of(drift.equilibrium.system)
     names = (Word("∂σ/∂k₃", r"\partial⟨sigma⟩/\partial ⟨k3⟩"),
              Word("∂σ/∂ω", r"\partial⟨sigma⟩/\partial ⟨omega⟩"))

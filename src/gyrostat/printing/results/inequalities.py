@@ -1,10 +1,11 @@
-"""Where an equilibrium exists, abs(k3) < 1, and its criteria, as comparisons."""
+"""Writes when an equilibrium exists, such as abs(k3) < 1, and its criteria as comparisons."""
 import re
 from dataclasses import replace
 from typing import Any
 
 from sympy import Abs, Expr, Pow, S
 
+from ..._lazy import loaded
 from ...algebra.rings.readable import readable
 from ...registry import Letters
 from ...stability.criteria.conditions import Condition, Criterion
@@ -15,14 +16,16 @@ from ..blocks import Block, Display, Word, modulo_flow, sentence
 from ..letters import letters_of, word
 from ..order import inequality
 
+LONG, SHORTER = 200, 4                                 # characters of long margins; how many times fewer
+
 
 def polynomial_of(letters: Letters) -> Word:
-    """λ⁴ + p λ² + q."""
+    """Write λ⁴ + p λ² + q."""
     return word(letters, "⟨lamda⟩⁴ + ⟨p⟩ ⟨lamda⟩² + ⟨q⟩", r"⟨lamda⟩^4 + ⟨p⟩\,⟨lamda⟩^2 + ⟨q⟩")
 
 
 def existence(domain: Expr, at: Any) -> Display:
-    """If a family exists: abs(x) < 1 for 1 − x² > 0, x ≠ 0 for c x² > 0, otherwise domain > 0."""
+    """Write when a family exists: abs(x) < 1 for 1 − x² > 0, x ≠ 0 for c x² > 0, otherwise domain > 0."""
     factor, square = domain.as_coeff_Mul()
     if factor.is_positive and isinstance(square, Pow) and square.exp == 2:
         base = readable(square.base)
@@ -34,7 +37,7 @@ def existence(domain: Expr, at: Any) -> Display:
 
 
 def criterion_blocks(title: str, criterion: Criterion, at: Any, label: str) -> list[Block]:
-    """Each alternative as its comparisons, labelled."""
+    """Write each alternative by its comparisons, with labels."""
     if criterion.alternatives == () and criterion.necessary:
         return [sentence(f"{title}: never.")]
     if criterion.alternatives == ():
@@ -50,8 +53,24 @@ def criterion_blocks(title: str, criterion: Criterion, at: Any, label: str) -> l
     return blocks
 
 
+def short_blocks(report: Report) -> list[Block]:
+    """Write short inequalities that suffice, if the sufficient condition is long or written in names."""
+    if report.closed is None and _size(report.sufficient) <= LONG:
+        return []
+    found = loaded("stability.criteria.short_sufficient:short_sufficient")(report.equilibrium)
+    if found is None or report.closed is None and SHORTER * _size(found) > _size(report.sufficient):
+        return []
+    return [sentence("These short inequalities suffice:"),
+            *_alternative(found.alternatives[0], report.equilibrium.at, "short")]
+
+
+def _size(criterion: Criterion) -> int:
+    """Count the characters of the margins of a criterion."""
+    return sum(len(str(c.margin)) for alternative in criterion.alternatives for c in alternative)
+
+
 def integral_blocks(report: Report) -> list[Block]:
-    """What the integrals that are given have to do with the sufficient condition."""
+    """Say what the given integrals have to do with the sufficient condition."""
     if not report.equilibrium.system.given_integrals:
         return []
     if report.sufficient == report.casimirs_only:
@@ -62,7 +81,7 @@ def integral_blocks(report: Report) -> list[Block]:
 
 
 def _alternative(alternative: tuple[Condition, ...], at: Any, label: str) -> list[Block]:
-    """Conditions that hold together: comparisons, then where even factors vanish."""
+    """Write conditions that hold together: comparisons, then the even factors that must not vanish."""
     telling = [c for c in alternative if not trivial(c)]
     blocks: list[Block] = [replace(comparison(condition), label=label) for condition in telling]
     for c in alternative:
@@ -77,7 +96,7 @@ def _alternative(alternative: tuple[Condition, ...], at: Any, label: str) -> lis
 
 
 def implied_blocks(report: Report) -> list[Block]:
-    """What the criteria of a report leave out because their other conditions imply it, with the identity."""
+    """Write which conditions are left out because others imply them, with the identities."""
     eq, letters, blocks = report.equilibrium, letters_of(report.equilibrium.system), list[Block]()
     criteria = {"the necessary condition": report.necessary, "the sufficient condition": report.sufficient,
                 "that of the Casimirs alone": report.casimirs_only,
@@ -96,7 +115,7 @@ def implied_blocks(report: Report) -> list[Block]:
 
 
 def source_word(source: str, letters: Letters, before: str = "") -> Word:
-    """What a condition came from, p² − 4q or minor 3, after a text."""
+    """Name what a condition came from, p² − 4q or minor 3, after a text."""
     if source.startswith("minor"):
         return Word(before + source, rf"\text{{{before}{source}}}")
     template = re.sub(r"\b[pqts]\b|(?<=4)q", r"⟨\g<0>⟩", source)
@@ -105,12 +124,12 @@ def source_word(source: str, letters: Letters, before: str = "") -> Word:
 
 
 def trivial(condition: Condition) -> bool:
-    """Whether it only says that a positive number is one, as beside l ≠ 0."""
+    """Whether a condition only says that a positive number is positive, as beside l ≠ 0."""
     return bool(condition.margin.is_number and condition.margin.is_positive)
 
 
 def comparisons(condition: Condition) -> list[Display]:
-    """Its comparison, unless that says nothing beside them, and whether its even factors vanish."""
+    """Write a condition by its comparison, unless that is trivial, and its even factors."""
     relation = "≠" if condition.strict else "="
     factors = [Display(readable(e), S.Zero, condition.at, relation) for e in condition.degenerate]
     needless = condition.strict and factors and trivial(condition)
@@ -118,7 +137,7 @@ def comparisons(condition: Condition) -> list[Display]:
 
 
 def comparison(condition: Condition) -> Display:
-    """The condition as left > right; a negative product alone as product < 0."""
+    """Write a condition as left > right; a single negative product is written as product < 0."""
     left, right = inequality(condition)
     if left == 0:
         return Display(right, left, condition.at, "<" if condition.strict else "≤")

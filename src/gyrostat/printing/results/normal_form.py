@@ -1,4 +1,4 @@
-"""A normal form, and D4 along a family, as sentences and displays."""
+"""Writes a normal form, and D4 along a family."""
 from sympy import Mul, Pow, S
 
 from ...algebra.rings.polynomials import lowest_terms
@@ -16,7 +16,7 @@ _POWERS = ("", "", "²", "³")
 
 
 def form_blocks(form: NormalForm) -> list[Block]:
-    """h in the actions J1 and J2, its coefficients, D4 and D6, and resonances."""
+    """Write h in the actions J1 and J2, with its coefficients, D4 and D6, and resonances."""
     highest = max(m + n for m, n, _ in form.coefficients)
     terms = [_term(_named("ω", "⟨omega⟩", "1"), 1, 0), _term(_named("ω", "⟨omega⟩", "2"), 0, 1),
              *(_term(_coefficient(m, n), m, n) for m, n, _ in form.coefficients)]
@@ -39,7 +39,7 @@ def form_blocks(form: NormalForm) -> list[Block]:
 
 
 def window_blocks(window: Window) -> list[Block]:
-    """Where an equilibrium is gyroscopically stabilised: resonances, D4 and what has its sign."""
+    """Say when a gyroscopically stabilised equilibrium is stable: resonances, D4 and what has its sign."""
     letters = letters_in([window.p, window.q, window.D4])
     p, q, N, P = (symbol(letters.of(name)) for name in "pqNP")
     D4 = letter(letters, "D4")
@@ -71,7 +71,7 @@ def _coefficient(m: int, n: int) -> Word:
 
 
 def _term(factor: Word, m: int, n: int) -> Word:
-    """factor J1^m J2^n."""
+    """Write factor J1^m J2^n."""
     text, latex = factor.text, factor.latex
     for index, power in (("1", m), ("2", n)):
         if power:

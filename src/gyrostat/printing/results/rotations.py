@@ -1,4 +1,4 @@
-"""What is said of a family: how it moves, what a tilt satisfies, and the names of permanent rotations."""
+"""Describes a family: how it moves, what a tilt satisfies, and the names of permanent rotations."""
 from typing import Any
 
 from sympy import S, Symbol
@@ -23,14 +23,14 @@ _AMENDED = ("⟨U⟩ + (⟨C1⟩ − ⟨vector_l⟩·⟨vector_k⟩)²/(2 ⟨vec
 
 
 def title_of(eq: Equilibrium) -> str:
-    """The label, and how an equilibrium of this family moves unless the label says so."""
+    """Give the label, and how an equilibrium of this family moves unless the label says so."""
     family = FAMILIES.get(eq.label)
     title = eq.label[0].upper() + eq.label[1:]
     return f"{title}: {family.title}" if family and family.title else title
 
 
 def tilt_blocks(eq: Equilibrium) -> list[Block]:
-    """What a tilted equilibrium is: the tilt, the point, and the relation of U, l, the rate and the tilt."""
+    """Say what a tilted equilibrium is: its tilt, its rate, and the relation of both with U and l."""
     if eq.label not in TILTED:
         return []
     rate = (" It turns about the vertical at the rate ", symbol("omega"), ".") if eq.label == E3.label else ()
@@ -39,23 +39,23 @@ def tilt_blocks(eq: Equilibrium) -> list[Block]:
 
 
 def tilt_relations(eq: Equilibrium) -> list[Display]:
-    """What a tilted equilibrium satisfies: the relation of U, l, the rate and the tilt."""
+    """Write what a tilted equilibrium satisfies: the relation of U, l, the rate and the tilt."""
     return satisfied(eq) if eq.label in TILTED else []
 
 
 def satisfied(eq: Equilibrium) -> list[Display]:
-    """The relations of a family, each name by the others."""
+    """Write the relations of a family, each name by the others."""
     return [Display(slope(eq, name), value if jet(name.name) else readable(value), eq.at, label="relation")
             for name, value in eq.relations]
 
 
 def relation_blocks(eq: Equilibrium) -> list[Block]:
-    """What holds on a family: its relations, if there are any."""
+    """Write what holds on a family: its relations, if there are any."""
     return [sentence("The family satisfies:"), *satisfied(eq)] if eq.relations else []
 
 
 def slope(eq: Equilibrium, name: Symbol) -> Any:
-    """A derivative of U as it is named: where U is a letter of the scene, by another one."""
+    """Name a derivative of U; if the scene has a letter U, another letter is taken."""
     letters = letters_of(eq.system)
     if not jet(name.name) or letters.of("U") == "U":
         return name
@@ -65,7 +65,7 @@ def slope(eq: Equilibrium, name: Symbol) -> Any:
 
 
 def family_blocks(eq: Equilibrium) -> list[Block]:
-    """What its rate and its multiplier are, and that k is a unit vector."""
+    """Say what the rate and the multiplier of a rotation are, and that k is a unit vector."""
     if not {OMEGA, SIGMA} <= set[object]().union(*(value.free_symbols for _, value in eq.relations)):
         return []
     letters = letters_of(eq.system)
@@ -79,7 +79,7 @@ def family_blocks(eq: Equilibrium) -> list[Block]:
 
 
 def definition_blocks(report: Report) -> list[Block]:
-    """The names in which the conditions in any direction are written; nothing of another report."""
+    """Define the names in which the conditions in any direction are written, if there are any."""
     if report.closed is None:
         return []
     letters, own = letters_of(report.equilibrium.system), report.closed.named

@@ -1,4 +1,4 @@
-"""A scene as blocks: body, field, bracket, Casimirs and energy, equations of motion, integrals."""
+"""Describes a scene: body, field, bracket, Casimirs and energy, equations of motion, integrals."""
 from typing import Any
 
 from sympy import MatrixBase
@@ -11,7 +11,7 @@ from .two_directions import casimirs, coupling, held_blocks, motion_form, space_
 
 
 def scene_blocks(scene: System) -> list[Block]:
-    """Body, field, bracket, equations of motion and integrals."""
+    """Describe body, field, bracket, equations of motion and integrals."""
     body, space, potential, letters = scene.body, scene.space, scene.potential, letters_of(scene)
     field: tuple[Any, ...] = ("There is no field.",)
     if potential:
@@ -39,7 +39,7 @@ def scene_blocks(scene: System) -> list[Block]:
 
 
 def _integrals(scene: System) -> list[Block]:
-    """Those that were found, and those that were given with where they are conserved."""
+    """List the integrals that were found, and those that were given with the level on which they hold."""
     letters = letters_of(scene)
     commutes = word(letters, "{⟨F⟩, ⟨h⟩} = 0", r"\{⟨F⟩, ⟨h⟩\} = 0")
     level = word(letters, "⟨C1⟩ = 0", "⟨C1⟩ = 0")
@@ -55,7 +55,7 @@ def _integrals(scene: System) -> list[Block]:
 
 
 def _momentum(scene: System) -> tuple[Any, ...]:
-    """M = Iω + l; where the energy has a term linear in the momentum, so that ω is another, by components."""
+    """Write M = Iω + l; if the energy has a term that is linear in the momentum, write M by components."""
     letters = letters_of(scene)
     if not scene.coupled:
         return (word(letters, "⟨vector_M⟩ = ⟨vector_I⟩⟨vector_omega⟩ + ⟨vector_l⟩",

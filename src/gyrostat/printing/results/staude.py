@@ -1,4 +1,4 @@
-"""Staude's cone and its arcs, as sentences and displays."""
+"""Describes Staude's cone and its arcs."""
 from collections.abc import Iterable, Iterator
 from typing import Any
 
@@ -20,7 +20,7 @@ FAST = {oo: Word("ω → ∞", r"⟨omega⟩\to\infty"), -oo: Word("ω → −�
 
 
 def cone_blocks(cone: StaudeCone) -> list[Block]:
-    """The polynomial, and the rate on it."""
+    """Write the polynomial of the cone, and the rate on it."""
     terms = Add.make_args(cone.polynomial) if cone.turned else (cone.polynomial,)
     rate = OMEGA if cone.turned else OMEGA**2
     admissible = "" if cone.turned else ", which is admissible if its square is positive,"
@@ -30,7 +30,7 @@ def cone_blocks(cone: StaudeCone) -> list[Block]:
 
 
 def arc_blocks(arc: Arc) -> list[Block]:
-    """Its ends, the direction and the rate along it, the verdict of each part, and circles."""
+    """Write the ends of an arc, direction and rate along it, the verdict of each part, and circles."""
     low, high = arc.ends
     known: tuple[Any, ...] = () if arc.both_ways else ("|", VECTOR, "| = 1 and ")
     found: list[Block] = [sentence("This arc leads from ", *_end(low), ", to ", *_end(high), ". ",
@@ -44,7 +44,7 @@ def arc_blocks(arc: Arc) -> list[Block]:
 
 
 def _parameter(arc: Arc) -> tuple[Any, ...]:
-    """What the parameter of an arc is."""
+    """Say what the parameter of an arc is."""
     unit = ("|", VECTOR, "| = 1")
     multiplier = (", where ", SIGMA, " is the multiplier of ", *unit, ".")
     if not arc.both_ways:

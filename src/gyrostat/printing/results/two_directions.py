@@ -1,4 +1,4 @@
-"""Two directions, and a coupling β: their scene, and what an equilibrium at rest in their frame has."""
+"""Describes scenes with two directions, or a coupling β, and an equilibrium at rest in their frame."""
 from typing import Any
 
 from sympy import Add, Expr, ImmutableMatrix, Symbol
@@ -34,7 +34,7 @@ def space_of(scene: System) -> str:
 
 
 def coupling(scene: System) -> tuple[Any, ...]:
-    """β of the energy, where there is one."""
+    """Write the coupling β of the energy, if there is one."""
     if not isinstance(scene.potential, CoupledPotential) or not any(scene.potential.drift):
         return ()
     letters = letters_of(scene)
@@ -44,7 +44,7 @@ def coupling(scene: System) -> tuple[Any, ...]:
 
 
 def held_blocks(scene: System) -> list[Block]:
-    """What the Casimirs are."""
+    """Write the values of the Casimirs."""
     if not isinstance(scene.potential, CoupledPotential) or not scene.potential.held:
         return []
     names = dict(zip(scene.space.casimirs, casimirs(letters_of(scene))))
@@ -53,7 +53,7 @@ def held_blocks(scene: System) -> list[Block]:
 
 
 def motion_form(scene: System) -> Word:
-    """The equations of motion of a scene in vectors; the momentum is M = Iω + l, as π is a number too."""
+    """Write the equations of motion in vectors; the momentum is M = Iω + l, as π is a number too."""
     letters = letters_of(scene)
     if not scene.coupled or not scene.potential:
         forms = zip(_FREE, _IN_FIELD if scene.potential else ("", ""))
@@ -70,7 +70,7 @@ def motion_form(scene: System) -> Word:
 
 
 def frame_blocks(report: Report) -> list[Block]:
-    """K, g and the factors of the sextic."""
+    """Write K, g and the factors of the sextic."""
     eq = report.equilibrium
     form, letters = orientation_form(eq), letters_of(eq.system)
     K, square = letter(letters, "K"), symbol(letters.of("x"))
@@ -90,7 +90,7 @@ def frame_blocks(report: Report) -> list[Block]:
 
 
 def parallel_blocks(report: Report) -> list[Block]:
-    """Where the directions are parallel: of which motions the matrices and the conditions are."""
+    """Say what the matrices and the conditions are about, if the directions are parallel."""
     if report.along is None:
         return []
     return [sentence("The two directions are parallel at this equilibrium, and the coadjoint orbit is "

@@ -1,4 +1,4 @@
-"""Answers as a list: as data for JSON, and what all of them note once."""
+"""Turns a list of answers into data for JSON, with the note that all of them have."""
 from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
@@ -10,7 +10,7 @@ from .equilibria import Missing
 
 
 def note_once(answers: Sequence[Answer | Missing]) -> tuple[str, list[Answer | Missing]]:
-    """The note that all decisions of a list have, and the list without it; "" where it is each one's own."""
+    """The note that all decisions of a list have, and the list without it; "" if the notes differ."""
     decided = [a for a in answers if isinstance(a, Answer)]
     notes = {a.decision.note for a in decided}
     if len(decided) < 2 or len(notes) > 1:
@@ -25,7 +25,7 @@ def _bare(decision: Decision | None) -> Decision | None:
 
 
 def answers_data(answers: Sequence[Answer | Missing]) -> dict[str, Any]:
-    """The answers as data for JSON, what all of them note once."""
+    """The answers as data for JSON, with a common note once."""
     note, bare = note_once(answers)
     return _listed(bare) | ({"note": note} if note else {})
 

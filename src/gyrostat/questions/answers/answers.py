@@ -1,4 +1,4 @@
-"""What decide answers: the equilibrium that the numbers name, or all that they allow."""
+"""Answers decide: for the equilibrium that is named, or for all that the numbers allow."""
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
@@ -41,10 +41,10 @@ MOTION = ({"omega"}, {"k3"}, {"pi3_0", "C1"}, {"k3", "pi3_0"})
 
 @dataclass(frozen=True)
 class Answer:
-    """One equilibrium, where it lies if it was found, and what is decided.
+    """One equilibrium with its decisions; if it was found, with its place and its rates.
 
-    Of it, under internal damping if it is one there, and of the point itself where that differs; and how
-    fast the small motions are, where that is known.
+    damped is None if it is no equilibrium under internal damping; itself is about the point, if the decision
+    is modulo a flow.
     """
 
     label: str
@@ -81,7 +81,7 @@ class Answer:
 def answers_at(asked: Asked, label: str | None, numbers: Mapping[str, Expr]) -> list[Answer | Missing]:
     """The equilibrium that is named, or all that the numbers allow.
 
-    Of one that does not exist in this field, why.
+    For one that does not exist in this field, the reason is given.
     """
     scene, wanted = scene_of(asked), named(asked, label and [label])
     own = {s.name for s in names_of_scene(scene)}
@@ -102,7 +102,7 @@ def answers_at(asked: Asked, label: str | None, numbers: Mapping[str, Expr]) -> 
 
 def normal_form_of(asked: Asked, label: str | None, numbers: Mapping[str, Expr],
                    degree: int) -> NormalForm | Window:
-    """Of the equilibrium that is named, or of the point; of degree 4, D4 in names that have no number."""
+    """The normal form at the equilibrium that is named; of degree 4, D4 in names without a number."""
     wanted = named(asked, label and [label])
     if not wanted:
         raise ValuesError(f"a normal form of degree {degree} is that of one equilibrium, and none is named: "
@@ -114,7 +114,7 @@ def normal_form_of(asked: Asked, label: str | None, numbers: Mapping[str, Expr],
 
 
 def _of_labels(asked: Asked, numbers: Mapping[str, Expr]) -> list[Answer | Missing]:
-    """Of the equilibria that a scene is known to have those whose names are set."""
+    """Decide those equilibria of known families for which all names are set."""
     wanted, others = labels_of(asked, None, numbers)
     some(wanted, others)
     if len(wanted) == 1 and not others:
@@ -128,7 +128,7 @@ def _of_labels(asked: Asked, numbers: Mapping[str, Expr]) -> list[Answer | Missi
 
 
 def _tilted(asked: Asked, numbers: Mapping[str, Expr]) -> list[Answer | Missing]:
-    """E3 of a body of revolution: as its names say, or every one of a tilt or a rate."""
+    """Decide E3 of a body of revolution: the one that is named, or every one of a tilt or a rate."""
     scene = scene_of(asked)
     if not scene.unspecified:
         if len({"k3", "omega"} & numbers.keys()) == 1:
@@ -142,8 +142,10 @@ def _tilted(asked: Asked, numbers: Mapping[str, Expr]) -> list[Answer | Missing]
 
 
 def _asks_for_all(scene: System, numbers: Mapping[str, Expr]) -> bool:
-    """Whether the numbers ask for every equilibrium: of a free body on a sphere of the momentum, in a field
-    at a rate, on a level or at a tilt; of a satellite in orbit wherever they are enough.
+    """Whether the numbers ask for every equilibrium.
+
+    They do for a free body if they give M, in a field if they give a rate, a level or a tilt, and for a
+    satellite in orbit if every name has one.
     """
     own = numbers.keys() - {s.name for s in names_of_scene(scene)}
     if scene.kind is Kind.FREE:
@@ -155,9 +157,9 @@ def _asks_for_all(scene: System, numbers: Mapping[str, Expr]) -> bool:
 
 
 def _all_found(scene: System, numbers: Mapping[str, Expr], label: str | None) -> list[Answer | Missing]:
-    """Every relative equilibrium of a label, or of all.
+    """Every relative equilibrium of a label, or of all labels.
 
-    At a rate at which those of a tilt are not found, E1 and E2, and why.
+    If those with a tilt are not found at this rate, E1 and E2 are given, and the reason.
     """
     try:
         return [_found(found) for found in relative_equilibria(scene, numbers)
@@ -172,7 +174,7 @@ def _all_found(scene: System, numbers: Mapping[str, Expr], label: str | None) ->
 
 
 def _level(scene: System, numbers: Mapping[str, Expr]) -> dict[str, Expr]:
-    """The numbers with pi3_0 = I3 omega3_0 in place of omega3_0."""
+    """The numbers with pi3_0 = I3 omega3_0 instead of omega3_0."""
     level, moment = dict(numbers), scene.body.moments[2]
     if "omega3_0" in level and {s.name for s in moment.free_symbols} <= level.keys():
         level["pi3_0"] = level.pop("omega3_0") * moment.xreplace({symbol(n): x for n, x in numbers.items()})
@@ -180,7 +182,7 @@ def _level(scene: System, numbers: Mapping[str, Expr]) -> dict[str, Expr]:
 
 
 def _answer(asked: Asked, label: str, numbers: Mapping[str, Expr]) -> Answer:
-    """The equilibrium of that label."""
+    """Decide the equilibrium of that label."""
     return _decided(report_at(asked, label, numbers), numbers)
 
 
@@ -199,6 +201,6 @@ def _librations(report: Report, numbers: Mapping[str, Expr]) -> RelativeEquilibr
 
 
 def _found(found: RelativeEquilibrium) -> Answer:
-    """One that was found."""
+    """The answer for an equilibrium that was found."""
     return Answer(found.form.heading, found.form.at, found.decision, found.damped, found.itself, found,
                   found.place)

@@ -1,4 +1,4 @@
-"""What decide answers where the numbers are those of a body in a field, and none of its motion: the arcs."""
+"""Answers decide for a body in U = c·k if no number of its motion is given: the arcs of rotations."""
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Any
@@ -22,7 +22,7 @@ from .equilibrium_labels import named
 
 
 def arcs_at(asked: Asked, label: str | None, numbers: Mapping[str, Expr]) -> Sequence[Arc]:
-    """Every arc of permanent rotations; none where something else is asked, or U is not c·k."""
+    """Every arc of permanent rotations; none if something else is asked, or if U is not c·k."""
     scene = scene_of(asked)
     U = scene.potential
     if named(asked, label and [label]) or U is None or scene.kind is not Kind.FIELD or scene.unspecified:

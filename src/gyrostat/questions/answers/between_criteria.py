@@ -1,4 +1,4 @@
-"""What decides between the two conditions of an equilibrium."""
+"""Finds what decides between the two conditions of an equilibrium."""
 from ...errors import ScopeError
 from ...printing.blocks import Block, prose
 from ...printing.results.boundary import undecided
@@ -8,9 +8,9 @@ from ...stability.report.report import Report
 
 
 def between(report: Report) -> Window | str | None:
-    """What decides where gyroscopic forces may hold an equilibrium, or why there is no formula.
+    """What decides an equilibrium that gyroscopic forces may stabilise, or why there is no formula.
 
-    None where its conditions leave nothing open.
+    None if its conditions leave nothing open.
     """
     if not undecided(report) or report.between:
         return None

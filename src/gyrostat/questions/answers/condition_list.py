@@ -37,7 +37,7 @@ class ConditionList:
 def condition_list(asked: Asked, labels: Sequence[str], others: Sequence[Missing],
                    numbers: Mapping[str, Expr], windows: bool = False,
                    sink: Criterion | None = None) -> ConditionList:
-    """Of the equilibria of these labels; why there are none of others."""
+    """The conditions of the equilibria of these labels, and why others have none."""
     reports, missing = reports_of(asked, labels, numbers)
     if numbers:
         known_names(asked, reports, numbers)

@@ -15,7 +15,7 @@ from ...stability.damping.energy_sink import energy_sink_criterion
 
 def sink_of(scene: SceneTable | None, dampings: tuple[str | None, str | None],
             numbers: Mapping[str, Expr]) -> Criterion:
-    """Of the one rotor of a scene, about its axis, at numbers."""
+    """The energy-sink condition of a rotation about the axis of the one rotor of a scene, at numbers."""
     rotors = () if scene is None else scene.rotors
     if scene is None or len(rotors) != 1:
         raise ValuesError("the energy-sink condition is that of a platform and one rotor, and the scene has "

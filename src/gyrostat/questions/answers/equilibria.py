@@ -30,10 +30,11 @@ Found = TypeVar("Found")
 
 def labels_of(asked: Asked, given: Sequence[str] | None,
               numbers: Names) -> tuple[Sequence[str], list["Missing"]]:
-    """The equilibria that are named; where none is, those that a scene is known to have.
+    """The equilibria that are named; if none is, those that a scene is known to have.
 
-    Of a body of revolution in U(k3) the families, of a free body that carries its rotor along axis 3 the
-    rotation about it. Of any other scene those that hold there, and that the others are to be named.
+    For a body of revolution in U(k3) these are the families, for a free body with its rotor along axis 3 the
+    rotation about it. For any other scene they are the families that are equilibria there; that others have
+    to be named is said.
     """
     if wanted := named(asked, given):
         return wanted, []
@@ -74,7 +75,7 @@ def report_of(asked: Asked, label: str, spin: str = "pi3_0") -> Report:
 def report_at(asked: Asked, label: str, numbers: Names) -> Report:
     """The report of one equilibrium.
 
-    Where the field does not vanish there whatever the numbers, at those that are given.
+    If the point is not an equilibrium for all numbers, the report is made at those that are given.
     """
     spin = asked.spin or spin_of(numbers)
     try:
@@ -125,7 +126,7 @@ class Missing:
 def of_each(labels: Sequence[str], make: Callable[[str], list[Found]]) -> tuple[list[Found], list[Missing]]:
     """What there is of each equilibrium, and why there is nothing of the others.
 
-    The reasons raised where there is nothing of any.
+    If there is nothing of any, the reasons are raised.
     """
     found, missing, errors = list[Found](), list[Missing](), list[GyrostatError]()
     for label in labels:
@@ -164,9 +165,9 @@ def report_for(what: str, asked: Asked, given: str | None, numbers: Names) -> Re
 
 
 def _tilted(asked: Asked, numbers: Names) -> list[Report]:
-    """E3; where l is set its tilt is eliminated, or a parameter of U, that is not set.
+    """The reports of E3; if l is set, its relation gives the tilt, or a parameter of U that is not set.
 
-    Without numbers the tilt at rest of a given U too, if there is one.
+    Without numbers the tilt at rest of a given U is added, if there is one.
     """
     scene = scene_of(asked)
     if scene.kind is not Kind.REVOLUTION:
@@ -210,6 +211,6 @@ def both_verdicts(report: Report, numbers: Mapping[str, Expr]) -> tuple[Decision
 
 
 def its_own(report: Report, numbers: Mapping[str, Expr]) -> dict[str, Expr]:
-    """Those of the numbers that the report takes; of an unspecified U, every derivative."""
+    """Those of the numbers that the report takes; for an unspecified U every derivative, too."""
     jets = report.equilibrium.system.unspecified
     return {n: x for n, x in numbers.items() if n in report.parameters or (jets and jet(n))}

@@ -1,4 +1,4 @@
-"""The labels of equilibria: those that are named, and those that a scene is known to have."""
+"""Finds the labels of equilibria: of those that are named, and of those that a scene is known to have."""
 from collections.abc import Collection, Sequence
 
 from ...errors import ValuesError
@@ -55,13 +55,13 @@ def labels() -> tuple[str, ...]:
 
 
 def labels_in_words(scene: System) -> str:
-    """What the families of such scenes are asked for, as a list in words."""
+    """The names by which the families of such scenes are asked for, as a list in words."""
     *others, last = (family.asked_for for family in known_of(scene.kind))
     return f"{', '.join(others)} or {last}"
 
 
 def likely(scene: System) -> Collection[Family]:
-    """The families that are tried where none is asked for."""
+    """The families that are tried if none is asked for."""
     if scene.kind is Kind.ORBIT:
         return (EARTH_POINTING, *(PRECESSIONS if scene.body.is_of_revolution() else ()))
     return PRINCIPAL if scene.kind is Kind.FREE else POLES.values()

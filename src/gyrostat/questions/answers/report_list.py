@@ -30,7 +30,7 @@ class ReportList:
 
 
 def report_list(asked: Asked, given: Sequence[str] | None, numbers: Mapping[str, Expr]) -> ReportList:
-    """Of the equilibria that are named, or of those that the scene is known to have."""
+    """The reports of the equilibria that are named, or of those that the scene is known to have."""
     scene = scene_of(asked)
     labels, others = labels_of(asked, given, numbers)
     reports, missing = reports_of(asked, labels, numbers)

@@ -1,4 +1,4 @@
-"""The values of one parameter for which an equilibrium exists and is stable."""
+"""Solves for one parameter: the values for which an equilibrium exists and is stable."""
 import contextlib
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any

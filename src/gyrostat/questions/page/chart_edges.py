@@ -1,4 +1,4 @@
-"""The boundary of a chart: the real zeros of its margins along columns and rows, in exact polynomials."""
+"""Computes the boundary of a chart: the real zeros of exact margins along its columns and rows."""
 from collections.abc import Mapping, Sequence
 
 from flint import fmpq, fmpq_poly
@@ -45,7 +45,7 @@ def edges(report: Report, values: Mapping[str, str], axes: Sequence[str],
 
 def _along(report: Report, planes: Mapping[Expr, list[fmpq_poly] | None], ends: Sequence[fmpq],
            within: Sequence[fmpq]) -> list[list[float]]:
-    """The points on lines of one name, which comes first; none where a margin is no polynomial."""
+    """The points on lines of one name, which comes first; none if a margin is no polynomial."""
     if None in planes.values():
         return []
     first, last = ends
@@ -77,7 +77,7 @@ def _said(report: Report, line: Mapping[Expr, fmpq_poly], y: fmpq) -> tuple[bool
 
 
 def _plane(margin: Expr, x: Symbol, y: Symbol) -> list[fmpq_poly] | None:
-    """A polynomial in y whose coefficients are polynomials in x; None where it is none."""
+    """A polynomial in y whose coefficients are polynomials in x; None if it is not one."""
     found = compiled(margin)
     if found is None or found[2] is not None or not set(found[0]) <= {x, y}:
         return None

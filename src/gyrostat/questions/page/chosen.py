@@ -1,4 +1,4 @@
-"""A scene, the families that it may have, and the equilibrium of it that is chosen, or every one."""
+"""Reads from a table a scene, the families that it may have, and the equilibrium that is chosen."""
 import json
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -46,7 +46,7 @@ class Chosen:
 
     @property
     def family(self) -> Family | None:
-        """None of a point, and of all."""
+        """The family that is asked for; None for a point, and if all are asked for."""
         return next((family for family in self.families if family.asked_for == self.name), None)
 
     @property
@@ -56,7 +56,7 @@ class Chosen:
 
     @cached_property
     def equilibrium(self) -> Equilibrium:
-        """Of the family, or the point."""
+        """The equilibrium of the family, or at the point."""
         if self.family is None:
             return equilibrium(self.scene, list(map(parse, self.table[POINT])))
         direction = self.table.get("direction")
@@ -65,12 +65,12 @@ class Chosen:
 
     @cached_property
     def report(self) -> Report:
-        """Of the equilibrium."""
+        """The report of the equilibrium."""
         return analyze(self.equilibrium)
 
     @cached_property
     def names(self) -> list[str]:
-        """What a verdict needs, and that under internal damping; or the list of all."""
+        """The names that both verdicts need, or those that the list of all needs."""
         if self.every:
             level = self.name.split()[1:]
             return [*sorted(str(name) for name in names_of_scene(self.scene) if str(name) not in level),
@@ -79,7 +79,7 @@ class Chosen:
 
     @cached_property
     def without(self) -> dict[str, str]:
-        """Why the scene does not have a family, by what it is asked for."""
+        """Why the scene does not have a family, by the name of the family."""
         found = {}
         for family in self.families:
             try:
@@ -90,12 +90,12 @@ class Chosen:
 
     @cached_property
     def levels(self) -> Sequence[str]:
-        """What may be given for all equilibria of the scene."""
+        """The names by which a level may be given for all equilibria of the scene."""
         return () if self.scene.unspecified else _LEVELS.get(self.scene.kind, ("omega", "C1"))
 
 
 def chosen(scene: Mapping[str, Any]) -> Chosen:
-    """What a scene names, whatever its values; its first equilibrium where it names none that it may have."""
+    """What a scene asks for, whatever its values; if it may have no such equilibrium, its first one."""
     table = {name: value for name, value in scene.items() if name != "values"}
     name, every = table.get("equilibrium"), ""
     if isinstance(name, str) and name.startswith(EVERY):

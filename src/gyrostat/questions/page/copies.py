@@ -1,4 +1,4 @@
-"""A scene and its equilibrium to take away: as LaTeX, as Python, as a scene file."""
+"""Writes a scene and its equilibrium to take away: as LaTeX, as Python, as a scene file."""
 import json
 import re
 from collections.abc import Mapping, Sequence
@@ -41,7 +41,7 @@ def scene_file(table: Mapping[str, Any], values: Mapping[str, str], every: str) 
 
 
 def _toml(value: Any) -> str:
-    """Texts, lists, tables."""
+    """A text, a list or a table as TOML has it."""
     if not isinstance(value, Mapping):
         return _quoted(value)
     return f"{{ {', '.join(f'{name} = {_quoted(text)}' for name, text in value.items())} }}"
@@ -80,7 +80,7 @@ def program(scene: System, family: Family | None, table: Mapping[str, Any], valu
 
 
 def _asked(made: str, values: str) -> list[str]:
-    """What is printed: of one equilibrium, or of all."""
+    """The lines that print one equilibrium, or all."""
     if not made:
         return [f"for found in gs.relative_equilibria(scene, {values}):",
                 "    print(found)"]
@@ -89,7 +89,7 @@ def _asked(made: str, values: str) -> list[str]:
 
 
 def _maker(family: Family | None, table: Mapping[str, Any]) -> str:
-    """The call that makes the equilibrium; "" where all are asked for."""
+    """The call that makes the equilibrium; "" if all are asked for."""
     if family is None:
         return f"gs.equilibrium(scene, {_parsed(table['point'])})" if "point" in table else ""
     if family.made_with == "pointing":

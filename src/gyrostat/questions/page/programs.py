@@ -1,4 +1,4 @@
-"""What the page computes itself, in doubles: programs of the margins, of the equations of motion, of a state.
+"""Writes programs in doubles that the page runs itself: margins, equations of motion, a state.
 
 A program is a list of instructions on the results of earlier ones, which a page runs without evaluating any
 text: ["add", 0, 1], ["name", "I1"], ["number", 0.5], ["power", 3, 0.5], ["exp", 4].
@@ -137,14 +137,14 @@ def moving(report: Report) -> Data:
 
 
 def steps_to(expressions: Iterable[Expr]) -> Data:
-    """The steps to some results."""
+    """The instructions that lead to some results."""
     writer = Writer({})
     results = [writer.write(e) for e in expressions]
     return {"steps": _steps(writer), "names": _names(writer), "results": results}
 
 
 def _refuse(report: Report, axes: Sequence[str]) -> None:
-    """Refuse what is no chart of free names."""
+    """Refuse a chart whose axes are not two free names."""
     if len(report.required) < 2:
         raise ScopeError("a chart is over two numbers, and a verdict here needs "
                          f"{report.required[0] if report.required else 'none'} alone: write a letter in the "

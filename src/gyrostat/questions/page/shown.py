@@ -1,4 +1,4 @@
-"""What a page shows of a scene: the conditions of an equilibrium, verdicts, a chart, a motion, copies."""
+"""Gives what a page shows of a scene: conditions, verdicts, a chart, a motion, copies."""
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
@@ -56,7 +56,8 @@ def show(scene: Mapping[str, Any], want: str, *more: Any) -> dict[str, Any]:
     Examples
     --------
     >>> import gyrostat as gs
-    >>> top = {"potential": "m0*k3", "inertia": ["I1", "I1", "I3"], "equilibrium": "E1"}
+    >>> top = {"potential": "m0*k3", "inertia": ["I1", "I1", "I3"],
+    ...        "equilibrium": "E1"}
     >>> gs.questions.show(top, "analysed")["axes"]
     ['I1', 'm0', 'pi3_0']
     >>> values = {"I1": 1, "I3": 2, "m0": 1, "pi3_0": 3}
@@ -140,7 +141,7 @@ def _bounded(asked: Chosen, given: Mapping[str, str], axes: Sequence[str],
 
 
 def _names(axes: Any) -> tuple[str, ...]:
-    """Those of the two axes of a chart."""
+    """The names of the two axes of a chart."""
     names = several(axes, "axes", 2)
     if not all(isinstance(name, str) for name in names):
         raise ValuesError(f'the axes are {brief(axes)}: give two names, ["I1", "l"]')
@@ -161,7 +162,7 @@ def _listed(asked: Chosen, values: Mapping[str, str]) -> list[tuple[str, list[Bl
 
 
 def _between(report: Report, values: Mapping[str, str]) -> Sequence[Block]:
-    """Where gyroscopic forces may hold an equilibrium: the normal form at numbers, D4 along its family."""
+    """If gyroscopic forces may stabilise it: the normal form at numbers, and D4 along the family."""
     found = between(report)
     if found is None:
         return []
@@ -173,7 +174,7 @@ def _between(report: Report, values: Mapping[str, str]) -> Sequence[Block]:
 
 
 def _own(asked: Chosen, given: Mapping[str, str]) -> dict[str, str]:
-    """The values that the question takes; of an unspecified U, every derivative."""
+    """The values that the question takes; for an unspecified U every derivative, too."""
     jets = asked.scene.unspecified and not asked.every
     return {name: text for name, text in given.items() if name in asked.names or jets and jet(name)}
 

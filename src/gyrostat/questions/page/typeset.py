@@ -1,4 +1,4 @@
-"""Blocks of a document as the page shows them: prose, and formulas in LaTeX."""
+"""Typesets the blocks of a document as the page shows them: prose, and formulas in LaTeX."""
 from collections.abc import Iterable, Sequence
 from typing import Any
 
@@ -49,7 +49,7 @@ def _block(block: Block, names: Names) -> dict[str, Any]:
 
 
 def _lines(block: Display, names: Names) -> str:
-    """A display, broken where it is wider than a column."""
+    """A display, which is broken if it is wider than a column."""
     whole = display(block, names)
     if isinstance(block.value, MatrixBase) or width(whole) <= NARROW:
         return whole

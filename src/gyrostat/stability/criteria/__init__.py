@@ -5,6 +5,6 @@ the second variation on the symplectic slice. Their closed forms are in `amended
 rotations, in `closed_form` with names left open, and in `orientation_form` for a body at rest in the frame of
 two directions. `sextic` factors a polynomial in λ² and gives the signs that it needs, `three_criteria` makes
 the criteria, `conditions` writes them as inequalities, and `implication` drops those that follow from others.
-At numbers, `numbers_asked` reads them, `number_notes` says what is unusual about them, and `truth` tells
-whether a criterion holds.
+`short_sufficient` gives short inequalities that suffice. At numbers, `numbers_asked` reads the names,
+`number_notes` says what is unusual about the numbers, and `truth` tells whether a criterion holds.
 """

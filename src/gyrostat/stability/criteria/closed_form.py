@@ -69,7 +69,7 @@ class ClosedForm:
 
         Derived in docs/explanation/derivations/amended-potential.md, sections 3 and 4.
         """
-        inertia, rotor, hessian, k, omega, mu = self._data
+        inertia, rotor, hessian, k, omega, mu = self.forms
         along = [dot(row, k) for row in inertia]
         v = [2 * omega * a + l for a, l in zip(along, rotor)]
         own = self.named
@@ -110,11 +110,11 @@ class ClosedForm:
     @cached_property
     def momentum_across(self) -> list[Expr]:
         """The product M × k, which is 0 if damping may not reach every motion."""
-        inertia, rotor, _, k, omega, _ = self._data
+        inertia, rotor, _, k, omega, _ = self.forms
         return [*cross([omega * dot(row, k) + l for row, l in zip(inertia, rotor)], k)]
 
     @cached_property
-    def _data(self) -> tuple[Any, ...]:
+    def forms(self) -> tuple[Any, ...]:
         """The data I, l, D²U, k, omega and μ on the family.
 
         If μ is a multiple of k·k, it is divided by it: both are the same on abs(k) = 1, and the quotient is
@@ -124,18 +124,19 @@ class ClosedForm:
         potential, k = eq.system.potential, eq.point[3:]
         assert potential is not None
         rates = body.inverse * Matrix(eq.point[:3])
-        omega = lowest_terms(eq.insert(rates[0] / k[0]))
+        axis = next(n for n, x in enumerate(k) if x != 0)
+        omega = lowest_terms(eq.insert(rates[axis] / k[axis]))
         inertia = [[eq.insert(x) for x in row] for row in body.tensor.tolist()]
         rotor = [eq.insert(l) for l in body.gyrostatic_momentum]
         gradient = [eq.at_point(d) for d in potential.gradient()]
         hessian = [row[3:] for row in rows_at_point(eq, eq.system.energy_hessian)[3:]]
         momentum = [omega * dot(row, k) + l for row, l in zip(inertia, rotor)]
-        mu = _on_sphere(omega * dot(k, momentum) - dot(k, gradient), dot(k, k))
+        mu = _on_sphere(omega * dot(k, momentum) - dot(k, gradient), lowest_terms(dot(k, k)))
         return inertia, rotor, hessian, k, omega, mu
 
     @cached_property
     def _flat(self) -> list[Expr]:
-        inertia, rotor, hessian, k, omega, mu = self._data
+        inertia, rotor, hessian, k, omega, mu = self.forms
         flat = [x for form in (inertia, [rotor], hessian, [k]) for row in form for x in row]
         return [*flat, omega, mu]
 

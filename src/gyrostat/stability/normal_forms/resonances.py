@@ -1,6 +1,7 @@
 """Decides at a resonance of the second to the fourth order, at which Arnold's theorem says nothing.
 
-The theorems are those of Sokolskii (1:1) and Markeev (1:2 and 1:3), on the resonant normal form.
+The theorems are those of Sokolskii (1:1) and Markeev (1:2 and 1:3), on the resonant normal form: see
+docs/explanation/derivations/d4.md, section 9.
 """
 from collections.abc import Iterator
 from functools import partial

@@ -16,7 +16,6 @@ from ...algebra.reals.number_matrices import NotProvedError, rank
 from ...algebra.rings.matrices import multiply
 from ...algebra.rings.polynomials import Ring, cancel, derivatives, lowest_terms
 from ...algebra.solving.margins import Signs
-from ...algebra.text.numbers import shown
 from ...mechanics.equilibrium.coadjoint_orbit import regular_differentials
 from ...mechanics.equilibrium.derivation_ring import rows_at_point
 from ...mechanics.equilibrium.equilibrium import Equilibrium
@@ -27,6 +26,7 @@ from ..criteria.numbers_asked import left_open, names_in
 from ..decision import Decision, Rung, settled, undecided
 
 K3, OMEGA, DU, P = symbol("k3"), symbol("omega"), symbol("dU"), symbol("p_psi")
+SHORT = 12                                             # characters of a fraction that is written whole
 
 
 @dataclass(frozen=True, repr=False)
@@ -133,9 +133,8 @@ class Drift(Shown, Stored):
             return settled(False, f"{turning}, at any rate σ; {linear}", Rung.DRIFT)
         slopes = [evaluate(rate, numbers) for rate in self.rates]
         if any(sign_of_constant(slope) for slope in slopes):
-            along, across = map(shown, slopes)
-            return settled(False, f"{turning}, at the rate σ with ∂σ/∂k3 = {along}, ∂σ/∂ω = {across}; "
-                           f"{linear}", Rung.DRIFT)
+            rates = ", ".join(map(_said, ("∂σ/∂k3", "∂σ/∂ω"), slopes))
+            return settled(False, f"{turning}, at the rate σ with {rates}; {linear}", Rung.DRIFT)
         known = {**numbers, **{name: evaluate(value, numbers)
                                for name, value in self.equilibrium.relations if name not in numbers}}
         special = [body.moments[0] - body.moments[2], body.gyrostatic_momentum[2]]
@@ -165,12 +164,12 @@ class Drift(Shown, Stored):
     def _linear(self, numbers: Mapping[Symbol, Expr], margins: dict[Expr, Expr]) -> str:
         margins[self.defect] = evaluate(self.defect, numbers)
         signs = [sign_of_constant(x) for x in (margins[self.defect], evaluate(self._p, numbers))]
-        here = f"D = {shown(margins[self.defect])}"
+        here = _said("D", margins[self.defect])
         if signs[1] == 0 or signs[0]:                      # p = 0: J is nilpotent and not 0
-            return f"linearly unstable, the eigenvalue 0 has a Jordan block ({here})"
+            return f"it is linearly unstable, because the eigenvalue 0 has a Jordan block ({here})"
         if None in signs:
             return f"whether it is linearly stable is not proved ({here})"
-        return f"linearly stable, the eigenvalue 0 is semisimple ({here})"
+        return f"it is linearly stable, because the eigenvalue 0 is semisimple ({here})"
 
     def _here(self, expression: Expr) -> Expr:
         eq = self.equilibrium
@@ -179,6 +178,13 @@ class Drift(Shown, Stored):
             if name == DU:
                 placed = placed.xreplace({name: value})
         return lowest_terms(eq.insert(placed))
+
+
+def _said(name: str, value: Expr) -> str:
+    """Say what a number is: = and the number if it is a short fraction, otherwise ≈ and four digits."""
+    if isinstance(value, Rational) and len(str(value)) <= SHORT:
+        return f"{name} = {value}".replace("-", "−")
+    return f"{name} ≈ {value.evalf(4)}".replace("-", "−")
 
 
 def drifts_along(eq: Equilibrium, found: Decision) -> Decision:

@@ -62,7 +62,7 @@ def _along_axis(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> Least:
         if sign is None:
             return None, NO_SIGN
         if sign:
-            what = f"the amended potential goes with the power {power} of the change of k3"
+            what = f"the amended potential changes as the power {power} of the change of k3"
             return (sign == 1 if pole else power % 2 == 0 and sign == 1), what
     return None, f"up to the power {HIGHEST} of k3 the amended potential does not change"
 

@@ -82,7 +82,7 @@ def on_curve(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> Decision | None
 
     References
     ----------
-    Derived.
+    Derived in docs/explanation/derivations/satellite.md, section 9.
     """
     if not may_lie_on_curve(eq):
         return None
