@@ -14,7 +14,7 @@ from .readings import Reading
 from .sampling import K
 
 AT_EQUALITY = "sufficient as printed; necessary only with equality allowed"
-NOT_NECESSARY = "sufficient as printed, and not necessary: gyroscopic forces hold other rotations"
+NOT_NECESSARY = "sufficient as printed, and not necessary: gyroscopic forces stabilise other rotations"
 
 
 def condition(r: Reading) -> Outcome | Doubt:

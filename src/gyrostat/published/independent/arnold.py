@@ -83,7 +83,7 @@ class Oscillations:
             if any(self.is_resonant(m, order - m) for m in (1, 2)):
                 return 0, ""
             if not (D := self.twist(order)).contains(0):
-                return 1, (f"gyroscopic forces hold it: no resonance to order {order}, and D{order} = "
+                return 1, (f"gyroscopic forces stabilise it: no resonance to order {order}, and D{order} = "
                            f"{D.str(12, radius=False)}, not 0, from how the frequencies of motions nearby "
                            "change by Newton and Euler's equations: Lyapunov stable (Arnold-Moser)")
         return 0, ""
