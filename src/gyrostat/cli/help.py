@@ -8,12 +8,12 @@ from .output import columns
 
 WIDEST = 100                                           # columns of a text that is read
 PROGRAM = ("Analyses the stability of a gyrostat that is free, in a field or in a circular orbit: from the "
-           "Lie-Poisson bracket to inequalities, verdicts at numbers, charts and motions. Every verdict is "
-           "proved.")
+           "Lie-Poisson bracket to inequalities, verdicts at given numbers, charts and motions. Every "
+           "verdict is proved.")
 # of each verb: the line in the list of verbs, and what its help begins with
 VERBS = {
     "report": (
-        "the whole derivation, and verdicts where numbers are set",
+        "the whole derivation, and verdicts if numbers are set",
         "Derives the stability of the equilibria of a body in a field, step by step: bracket, "
         "equations of motion, linearisation, second variation, the necessary and the sufficient "
         "condition, and what decides between them. With enough numbers a verdict is added."),
@@ -23,8 +23,8 @@ VERBS = {
         "the necessary and the sufficient one. With --solve-for it gives the values of one name for"
         " which the equilibrium is stable."),
     "decide": (
-        "verdicts at numbers, of one body or of many",
-        "Decides at numbers whether equilibria are stable, each verdict with its notion of "
+        "verdicts at given numbers, for one body or for many",
+        "Decides whether equilibria are stable at given numbers. Each verdict has its notion of "
         "stability and its reason. Without --equilibrium it finds every relative equilibrium that "
         "the numbers allow and lists them in a table. For a body in U = c·k, if no number of its motion "
         "is given, it finds every arc of permanent rotations. With --batch it answers a file of bodies, "
@@ -43,7 +43,7 @@ VERBS = {
     "verify": (
         "check published formulas against what is derived",
         "Derives published formulas and claims anew and says of each whether it is confirmed, a "
-        "misprint, with a counterexample at numbers, or unchecked.")}
+        "misprint, with a counterexample in numbers, or unchecked.")}
 KINDS = {
     "momentum-sphere": (
         "polhodes, separatrices and equilibria of a free body or gyrostat",

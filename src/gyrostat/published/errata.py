@@ -1,4 +1,4 @@
-"""The misprints among findings as a table of errata in LaTeX."""
+"""Sets the misprints among findings as a table of errata in LaTeX."""
 from collections.abc import Iterable
 from typing import Any
 
@@ -17,7 +17,7 @@ COLUMNS = (("Where", 0.19), ("Printed, and derived", 0.42), ("Counterexample", 0
 
 
 def _about(f: Finding, names: Names, at: Any) -> str:
-    """What the statement is about: a quantity, or a claim in words."""
+    """Return what the statement is about: a quantity, or a claim in words."""
     quantity = f.statement.quantity
     if f.statement.kind in ("identity", "family", "number", "solution") and quantity != "0":
         return f"${printed_latex(quantity, names, at)}$"

@@ -42,7 +42,7 @@ def hypotheses(statement: Statement) -> list[Row]:
 
 
 def _body(scene: Scene) -> Iterator[Row]:
-    """The moments or the tensor, and the rotor."""
+    """Yield the moments or the tensor, and the rotor."""
     body = scene.hull
     if len(body.entries) > 3:
         yield "body", ("inertia tensor with the rows ",
@@ -55,7 +55,7 @@ def _body(scene: Scene) -> Iterator[Row]:
 
 
 def _field(scene: Scene) -> Iterator[Row]:
-    """What acts on the body; of kinematics the angles."""
+    """Yield what acts on the body; for kinematics, the angles."""
     table, potential = scene.table, scene.potential
     if "angles" in table:
         vertical = table.get("vertical")
@@ -80,7 +80,7 @@ def _field(scene: Scene) -> Iterator[Row]:
 
 
 def _equilibrium(scene: Scene, claims_existence: bool) -> Iterator[Row]:
-    """The point, what makes it an equilibrium, and where it exists, unless that is the claim."""
+    """Yield the point, what makes it an equilibrium, and where it exists unless existence is the claim."""
     if (eq := scene.equilibrium) is None:
         return
     name = "" if scene.claimed else f"{eq.label}, "
@@ -92,7 +92,7 @@ def _equilibrium(scene: Scene, claims_existence: bool) -> Iterator[Row]:
 
 
 def _joined(entries: Iterable[Any], sign: str = ", ") -> tuple[str | Expr, ...]:
-    """Entries, each one piece or several, with a sign between them."""
+    """Return entries, each one piece or several, with a sign between them."""
     found: list[str | Expr] = []
     for entry in entries:
         found += [sign] if found else []
@@ -101,10 +101,10 @@ def _joined(entries: Iterable[Any], sign: str = ", ") -> tuple[str | Expr, ...]:
 
 
 def _assigned(texts: Mapping[str, Any], name_as: type[str] = str) -> tuple[str | Expr, ...]:
-    """Names with the texts that the file gives them; name_as is Printed if the names stand in formulas."""
+    """Return names with the texts that the file gives them; name_as is Printed if they stand in formulas."""
     return _joined([(name_as(name), " = ", *_printed(text)) for name, text in texts.items()])
 
 
 def _printed(text: Any) -> tuple[str | Expr, ...]:
-    """A text of the file, or a list of them in brackets."""
+    """Return a text of the file, or a list of texts in brackets."""
     return (Printed(text),) if isinstance(text, str) else ("[", *_joined(map(_printed, text)), "]")

@@ -1,4 +1,4 @@
-"""The formulas of published files: the whitelist grammar with vectors and functions of the motion."""
+"""Reads formulas of published files: the whitelist grammar with vectors and functions of the motion."""
 import re
 from collections.abc import Container, Mapping, Sequence
 from functools import reduce
@@ -16,7 +16,7 @@ SIDE = 12
 
 
 class Formula(Parser):
-    """Names come from a scene; a function may be one of its functions and take several arguments."""
+    """Parses a formula: its names come from a scene, and a function may take several arguments."""
 
     TOKEN = re.compile(Parser.TOKEN.pattern.replace("-+*/()", "-+*/(),"), re.ASCII)
     # of an entry: a tensor in Euler angles has some thousands
@@ -55,7 +55,7 @@ class Formula(Parser):
             and not (base.value.is_Symbol or base.value.is_number)
         ):
             self.fail(f"an expression is raised to the power {exponent}",
-                      "those of names and numbers go up to 100, others to 12")
+                      "powers of names and numbers go up to 100, those of others to 12")
         return super().power(base, exponent)
 
     def call(self, token: str) -> Part:
@@ -79,7 +79,7 @@ class Formula(Parser):
         return self.bounded(value, _cost(value), nesting, None)
 
     def is_function(self, name: str) -> bool:
-        """Whether a name of the scene stands for a function; what cannot be derived does not."""
+        """Return whether a name of the scene stands for a function; one that cannot be derived does not."""
         try:
             value = self.names[name]
         except GyrostatError:
@@ -87,7 +87,7 @@ class Formula(Parser):
         return callable(value) and not isinstance(value, (Expr, MatrixBase, Part))
 
     def arguments(self) -> list[Part]:
-        """What stands between the parentheses of a function."""
+        """Return the arguments between the parentheses of a function."""
         self.take("(")
         found = [self.sum()]
         while self.take(","):
@@ -106,13 +106,13 @@ class Formula(Parser):
 
 
 def _cost(value: Any) -> Cost:
-    """The largest of the entries of a matrix, or of an expression."""
+    """Return the bounds of an expression; for a matrix, the largest of each among its entries."""
     costs = [of_expression(entry) for entry in (value if isinstance(value, MatrixBase) else [value])]
     return Cost(*map(max, zip(*costs)))
 
 
 def read(printed: Any, names: Mapping[str, Any]) -> Any:
-    """The expression, vector or matrix that a printed text, or list of texts, stands for.
+    """Read a printed text, or list of texts, as an expression, vector or matrix.
 
     Parameters
     ----------
@@ -123,7 +123,7 @@ def read(printed: Any, names: Mapping[str, Any]) -> Any:
     Raises
     ------
     ExpressionError
-        outside the grammar, an unknown name, or shapes that do not fit
+        a text is outside the grammar or has an unknown name, or shapes do not fit
 
     Examples
     --------
@@ -145,7 +145,9 @@ def read(printed: Any, names: Mapping[str, Any]) -> Any:
 
 
 def unknown_names(text: str, known: Container[str]) -> list[str]:
-    """The names in a text that are neither known nor functions of the grammar; none if it has no tokens.
+    """Return the names in a text that are neither known nor functions of the grammar.
+
+    A text that cannot be cut into tokens has none: it is refused when it is read.
 
     Examples
     --------
@@ -154,14 +156,14 @@ def unknown_names(text: str, known: Container[str]) -> list[str]:
     """
     try:
         tokens = Formula(text, {}).tokens
-    except ExpressionError:                                # it is refused when it is read
+    except ExpressionError:
         return []
     return [token for kind, token in tokens
             if kind == "name" and token not in known and token not in FUNCTIONS]
 
 
 def part_of(printed: Any, names: Mapping[str, Any]) -> Part:
-    """What one text stands for, with its bounds: so an abbreviation costs as much as what it is short for."""
+    """Read one text with its bounds, so that an abbreviation costs as much as what it is short for."""
     if not isinstance(printed, str):
         raise ExpressionError(f"cannot read {brief(printed)}, a {type(printed).__name__}: formulas are "
                               "texts, write \"...\"")
@@ -177,7 +179,7 @@ def part_of(printed: Any, names: Mapping[str, Any]) -> Part:
 
 
 def decimal(printed: str) -> tuple[Expr, Expr]:
-    """A printed decimal and half a unit in its last place.
+    """Return a printed decimal and half a unit in its last place.
 
     Examples
     --------

@@ -1,4 +1,4 @@
-"""Findings for a reader: a table by source in text, and JSON."""
+"""Writes findings for a reader: as text, source by source, and as JSON."""
 from collections.abc import Iterable
 from itertools import groupby
 from textwrap import wrap
@@ -23,12 +23,11 @@ _MARK = {"confirmed": "✓", "misprint": "✗", "unchecked": "–"}
 
 
 def rows(finding: Finding) -> list[tuple[str, str, Any]]:
-    """("printed" or "right", entry, value) for each entry in which they differ.
+    """Return ("printed" or "right", entry, value) for each entry in which the two differ.
 
-    Two rows where it is corrected, or has no entries.
-
-    What is printed is the text, or texts, of the source, once where it is one for all entries; right is such
-    a text too where the statement is corrected, else a value.
+    There are two rows if the statement is corrected, or has no entries. What is printed is the text of the
+    source, or its texts; it comes once if one text stands for all entries. What is right is such a text too
+    if the statement is corrected, otherwise it is the derived value.
     """
     printed, outcome = finding.statement.printed, finding.outcome
     if outcome.corrected is not None:
@@ -55,7 +54,7 @@ def _one_line(value: Any, at: Any = None) -> str:
 
 
 def place(finding: Finding) -> Any:
-    """The k3 at which derivatives of U are taken, for typesetting."""
+    """Return the k3 at which derivatives of U are taken, as typesetting needs it."""
     eq = finding.statement.scene.equilibrium
     if "k3" in finding.statement.at:
         return finding.statement.at["k3"]
@@ -63,9 +62,9 @@ def place(finding: Finding) -> Any:
 
 
 def text(findings: Iterable[Finding], width: int = 100, full: bool = False) -> str:
-    """List findings by source: what is derived, and of a misprint its counterexample.
+    """List findings by source: what is derived, and for a misprint its counterexample.
 
-    If full, each has its hypotheses, and what is confirmed the route by which it was compared.
+    If full is True, each statement has its hypotheses, and a confirmed one the route of its comparison.
     """
     lines: list[str] = []
     for _, group in groupby(findings, key=lambda f: f.statement.file):
@@ -108,7 +107,7 @@ def _counts(found: list[Finding]) -> str:
 
 
 def _confirmed(f: Finding, width: int, full: bool) -> list[tuple[str, str]]:
-    """What is derived; in two lines unless full, and then with the route by which it was compared."""
+    """Return what is derived, cut to two lines; if full, all of it, with the route of the comparison."""
     derived = _derived(f)
     if full:
         return [("derived", derived), ("compared", f.outcome.route)]
@@ -118,7 +117,7 @@ def _confirmed(f: Finding, width: int, full: bool) -> list[tuple[str, str]]:
 
 
 def _derived(f: Finding) -> str:
-    """What the library derives for the quantity of a statement, beside the quantity."""
+    """Return what the library derives for the quantity of a statement, beside the quantity."""
     value, said = f.outcome.derived, as_text(quantity(f))
     if f.statement.kind in IN_WORDS:
         return f"{said}: {_one_line(value, place(f))}"
@@ -128,7 +127,7 @@ def _derived(f: Finding) -> str:
 
 
 def quantity(f: Finding) -> Any:
-    """The text, or texts, of what the derived value is equal to."""
+    """Return the text, or texts, of what the derived value is equal to."""
     s = f.statement
     if s.kind == "equilibrium":
         return "state" if s.scene.equilibrium else "field"
@@ -140,7 +139,7 @@ def quantity(f: Finding) -> Any:
 
 
 def _entries(value: Any, at: Any) -> str:
-    """A formula, or those of a vector or matrix as a list."""
+    """Return a formula, or the formulas of a vector or matrix as a list."""
     if not isinstance(value, MatrixBase):
         return unicode(shortest(value, at), at)
     rows = [[unicode(shortest(entry, at), at) for entry in row] for row in value.tolist()]
@@ -148,17 +147,17 @@ def _entries(value: Any, at: Any) -> str:
 
 
 def shortest(value: Expr, at: Any) -> Expr:
-    """A formula as it was derived, or factored if that is shorter."""
+    """Return a formula as it was derived, or factored if that is shorter."""
     return min(value, _shown(value), key=lambda e: len(unicode(e, at)))
 
 
 def is_short(value: Expr) -> bool:
-    """Whether an exact number is short enough to stand beside its digits."""
+    """Return whether an exact number is short enough to stand beside its digits."""
     return len(unicode(value)) <= SHORT and not value.has(Float)
 
 
 def _decimal(value: Expr) -> str:
-    """A number after its sign: = and exact if that is short, else ≈ and 15 digits."""
+    """Return a number after its sign: = before the exact number if it is short, ≈ before 15 digits."""
     digits = str(value.evalf(15))
     if not is_short(value):
         return f"≈ {digits}"
@@ -166,13 +165,13 @@ def _decimal(value: Expr) -> str:
 
 
 def _assumed(f: Finding) -> list[tuple[str, str]]:
-    """The hypotheses of a statement, written with its derivatives of U taken where they are."""
+    """Return the hypotheses of a statement as text; derivatives of U are written at its k3."""
     return [(name, "".join(x if isinstance(x, str) else unicode(x, place(f)) for x in pieces))
             for name, pieces in hypotheses(f.statement)]
 
 
 def _details(f: Finding) -> list[tuple[str, str]]:
-    """What is right of a misprint and what shows it; why nothing is known of what is unchecked."""
+    """Return what is right in place of a misprint and what shows it, or why a statement is unchecked."""
     pairs: list[tuple[str, str]] = []
     if f.status == "misprint":
         pairs.append(("about", as_text(f.statement.quantity)))
@@ -200,7 +199,7 @@ def _lines(pairs: Iterable[tuple[str, str]], width: int) -> list[str]:
 
 
 def _differences(f: Finding) -> str:
-    """printed − derived, where it fits a few lines; JSON has it whole."""
+    """Return printed − derived, or "" if it has 400 characters or more; JSON always has it."""
     outcome = f.outcome
     found = [entry_of(entry, outcome.derived) + unicode(readable(value), place(f))
              for entry, value in outcome.difference or () if not isinstance(outcome.derived, str)]
@@ -208,12 +207,12 @@ def _differences(f: Finding) -> str:
 
 
 def number(value: Any) -> str:
-    """A value of a counterexample: exact where it is rational, else 15 digits."""
+    """Return a value of a counterexample: exact if it is rational, else to 15 digits."""
     return str(value) if not isinstance(value, Expr) or value.is_Rational else str(value.evalf(15))
 
 
 def to_json(findings: Iterable[Finding]) -> list[dict[str, Any]]:
-    """One object for each statement, as docs/reference/formats.md describes."""
+    """Return one object for each statement, as docs/reference/formats.md describes it."""
     return [{"source": f.statement.source, "key": f.statement.key, "where": f.statement.where,
              "quantity": f.statement.quantity,
              "kind": f.statement.kind, "printed": f.statement.printed,

@@ -1,4 +1,4 @@
-"""A printed text in LaTeX, its terms and factors in the order in which they are printed."""
+"""Typesets a printed text in LaTeX, its terms and factors in the order in which they are printed."""
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -35,7 +35,7 @@ _FUNCTIONS = {"cross": r"{} \times {}", "dot": r"{} \cdot {}", "dt": r"\tfrac{{d
 
 @dataclass(frozen=True)
 class _Tex:
-    """LaTeX of a part; a sum needs parentheses in a product; under is what a quotient is to be divided by."""
+    """The LaTeX of a part: a sum needs parentheses in a product; a divisor has its text in `under`."""
 
     text: str
     sum: bool = False
@@ -106,12 +106,12 @@ class _Typesetter(Formula):
 
 
 def formula_of(printed: str, names: Names, at: Any = None) -> str:
-    r"""LaTeX of a printed text: an expression, or comparisons joined by "and".
+    r"""Return the LaTeX of a printed text: an expression, or comparisons joined by "and".
 
     Raises
     ------
     ExpressionError
-        the text is neither, as a verdict in words
+        the text is neither, for example a verdict in words
 
     Examples
     --------
@@ -128,7 +128,7 @@ def formula_of(printed: str, names: Names, at: Any = None) -> str:
 
 
 def printed_latex(printed: Any, names: Names, at: Any = None) -> str:
-    """LaTeX, for mathematical mode, of a printed text or texts: a formula, comparisons, or words."""
+    """Return LaTeX, for mathematical mode, of a printed text or texts: formulas, comparisons, or words."""
     if isinstance(printed, list):
         # so that lines may end at the commas
         entries = "$, $".join(printed_latex(entry, names, at) for entry in printed)

@@ -1,4 +1,4 @@
-"""The scene that a published formula is about, and what the library derives for each of its names."""
+"""Builds the scene of a published formula from its table: body, field, equilibrium or Euler angles."""
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
@@ -27,10 +27,10 @@ DERIVED = "derived_"                                   # before a name that a pa
 
 @dataclass(frozen=True)
 class Scene(SceneTable):
-    """One [scene.NAME] table: a body, a field, perhaps an equilibrium or Euler angles.
+    """A [scene.NAME] table: a body, a field, and perhaps an equilibrium or Euler angles.
 
-    A field in two directions, or a vehicle, is one of formulas alone. A state and values are for the command
-    line, no formula is about them.
+    Only formulas have a field in two directions or a vehicle. A state and values serve the command line; no
+    formula is about them.
 
     Parameters
     ----------
@@ -39,14 +39,14 @@ class Scene(SceneTable):
     """
 
     def entry(self, name: str, value: Any) -> Any:
-        """As of a scene, and those of formulas alone."""
+        """Return what is kept of an entry of the file; directions and vehicle are for formulas alone."""
         if name == "directions":
             return _directions(value)
         return _vehicle(value) if name == "vehicle" else super().entry(name, value)
 
     @cached_property
     def hull(self) -> Gyrostat:
-        """The body of the table; of a vehicle J, which is not the tensor of its momenta."""
+        """The body of the table; that of a vehicle has J, which is not the tensor of its momenta."""
         return SceneTable({name: self.table[name] for name in BODY if name in self.table}).body
 
     @cached_property
@@ -61,7 +61,7 @@ class Scene(SceneTable):
         return {s.name for s in self.parameters} | set(self.table.get("parameters", ())) | {"t"}
 
     def derived(self, name: str) -> str:
-        """The name of what is derived: where the paper has that letter for something else, with a word."""
+        """Return the name of a derived quantity, with a prefix if the paper uses it for something else."""
         return DERIVED + name if name in self.letters else name
 
     @cached_property
@@ -71,7 +71,7 @@ class Scene(SceneTable):
 
     @cached_property
     def potential(self) -> Potential | CoupledPotential | None:
-        """The field; in two directions an expression in their components."""
+        """The potential of the field; for two directions, an expression in their components."""
         if "vehicle" in self.table:
             return self.system.potential
         if "directions" in self.table:
@@ -91,11 +91,11 @@ class Scene(SceneTable):
 
     @cached_property
     def equilibrium(self) -> Equilibrium | None:
-        """Of the family that the table asks for, or its point."""
+        """The equilibrium: of the family that the table asks for, or at its point; None without either."""
         if self.claimed:
             return equilibrium(self.system, self.claimed)
         if self.family is PERMANENT:
-            raise PublishedError('equilibrium = "permanent rotation": a formula is about one direction; '
+            raise PublishedError('equilibrium = "permanent rotation": a formula is about one direction: '
                                  'write the point, ["w*I1*3/5", "0", "w*I3*4/5", "3/5", "0", '
                                  '"4/5"], and in U the slope that it has there')
         spin, eliminated = self.table.get("spin", "pi3_0"), self.table.get("eliminate")
@@ -109,7 +109,7 @@ class Scene(SceneTable):
 
     @property
     def point(self) -> tuple[Expr, ...]:
-        """The equilibrium; E3 at any k, not only at k2 = 0."""
+        """The coordinates of the equilibrium; E3 is taken at any k, not only at k2 = 0."""
         eq = self.equilibrium
         if eq is None:
             return ()
@@ -119,7 +119,7 @@ class Scene(SceneTable):
         return (*(moment * symbol("omega") * x for moment, x in zip(self.body.moments, k)), *k)
 
     def finish(self, expression: Any) -> Any:
-        """On the family: the relations of the equilibrium, a given U and its derivatives inserted."""
+        """Insert the relations of the equilibrium, and a given U with its derivatives, into an expression."""
         if self.potential and self.potential.given:
             place = dict(zip(self.system.space.coordinates, self.point))
             U = self.potential.expression.xreplace(place)
@@ -136,7 +136,7 @@ class Scene(SceneTable):
 
 
 def _directions(value: Any) -> list[str]:
-    """The names of two directions."""
+    """Return the names of two directions."""
     if not isinstance(value, list) or len(value) != 2 or not all(isinstance(x, str) and is_name(x)
                                                                  for x in value):
         raise PublishedError(f'directions = {brief(value)}: write two names, directions = ["k", "e"]')
@@ -144,7 +144,7 @@ def _directions(value: Any) -> list[str]:
 
 
 def _vehicle(value: Any) -> Mapping[str, Any]:
-    """Texts by name: the masses, the coupling, the weight."""
+    """Return the texts of the masses, the coupling and the weight, by their names."""
     rows = value.values() if isinstance(value, dict) else ()
     if not rows or not {"mass", "weight"} <= set(value) <= {*VEHICLE} or not all(
             isinstance(row, list) and all(isinstance(x, (str, list)) for x in row) for row in rows):
@@ -155,5 +155,5 @@ def _vehicle(value: Any) -> Mapping[str, Any]:
 
 
 def _parsed(value: Any) -> Any:
-    """An expression for each text of a list, or of rows."""
+    """Return an expression for each text of a list, or of rows."""
     return [_parsed(x) for x in value] if isinstance(value, list) else parse(value)

@@ -1,4 +1,4 @@
-"""Files of published formulas: read, exactly as printed, and checked for their format."""
+"""Reads files of published formulas, exactly as they are printed, and checks their format."""
 from collections import Counter
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from contextlib import contextmanager
@@ -37,7 +37,7 @@ class Source:
     expected : mapping of key to status
         "misprint" or "unchecked"; everything else is expected to be confirmed
     expects : bool
-        whether it says so: a file of one's own does if it has a table [expected]
+        whether the file says what is expected; one of your own does if it has a table [expected]
 
     Examples
     --------
@@ -56,7 +56,7 @@ class Source:
 
 @checked
 def load(source: str | Path) -> Source:
-    """The statements of a source, by its name, or by the path of a TOML file of the same format.
+    """Load the statements of a source, by its name or by the path of a TOML file.
 
     Parameters
     ----------
@@ -110,8 +110,8 @@ def _read(path: Path | Traversable, expected: Mapping[str, Any] | None) -> Sourc
         or not all(isinstance(entry, dict) for entry in listed)
         or not isinstance(status, dict)
     ):
-        raise PublishedError(f"{path}: formulas are [[formula]] tables, and what is expected one "
-                             "[expected] table: see docs/reference/published.md")
+        raise PublishedError(f"{path}: formulas are [[formula]] tables, and one [expected] table "
+                             "says what is expected: see docs/reference/published.md")
     scenes, faults = {"": Scene()}, list[str]()
     for name, entries in tables.items():
         try:
@@ -143,13 +143,13 @@ def _read(path: Path | Traversable, expected: Mapping[str, Any] | None) -> Sourc
 
 
 def first_of(texts: Sequence[str], most: int = 20, sign: str = "; ") -> str:
-    """The first of the texts in a row, and how many there are besides."""
+    """Return the first of the texts in a row, and how many there are besides."""
     return sign.join([*texts[:most], *([f"and {len(texts) - most} more"] if len(texts) > most else [])])
 
 
 @contextmanager
 def _at(path: Path | Traversable, key: str) -> Iterator[None]:
-    """Errors with the file and the key they belong to."""
+    """Name in each error the file and the key to which it belongs."""
     try:
         yield
     except GyrostatError as error:
@@ -160,7 +160,7 @@ def _at(path: Path | Traversable, key: str) -> Iterator[None]:
 
 
 def _texts(value: Any) -> bool:
-    """Whether a value is a text, or a list or table of such, at most two deep in lists."""
+    """Return whether a value is a text, a table of texts, or a list of texts or of lists of texts."""
     if isinstance(value, dict):
         return all(isinstance(text, str) for text in value.values())
     if isinstance(value, list):
@@ -170,7 +170,7 @@ def _texts(value: Any) -> bool:
 
 
 def _faults(entry: Mapping[str, Any], header: Mapping[str, Any], scenes: Collection[str]) -> Iterator[str]:
-    """What is wrong with the entries of a formula, each fault with what to do."""
+    """Yield what is wrong with the entries of a formula, each fault with what to do."""
     if missing := [field for field in _REQUIRED if field not in entry]:
         yield f"lacks {', '.join(missing)}: a formula has {', '.join(_REQUIRED)}"
     if unknown := [field for field in entry if field not in _REQUIRED and field not in _OPTIONAL]:
@@ -184,7 +184,7 @@ def _faults(entry: Mapping[str, Any], header: Mapping[str, Any], scenes: Collect
     if right.get("kind", KINDS[0]) not in KINDS:
         yield f"kind = {brief(right['kind'])}: the kinds are {', '.join(KINDS)}"
     if not all(map(is_name, right.get("let", ()))):
-        yield f"let = {brief(right['let'])}: abbreviations are names"
+        yield f"let = {brief(right['let'])}: abbreviations are names of letters, digits and _"
     if many := [field for field in ("let", "at", "constants") if len(right.get(field, ())) > MOST]:
         yield f"{', '.join(many)} has more than {MOST} entries: split the formula"
     scene = right.get("scene", header.get("scene", ""))
@@ -193,7 +193,7 @@ def _faults(entry: Mapping[str, Any], header: Mapping[str, Any], scenes: Collect
 
 
 def _is_of_its_type(name: str, value: Any) -> bool:
-    """Whether the value of an entry of a formula is a text, a list or a table, as that entry has to be."""
+    """Return whether the value of an entry is a text, a list or a table, as that entry has to be."""
     wanted = _OPTIONAL.get(name, (str, list) if name in ("quantity", "printed") else str)
     return name not in (*_REQUIRED, *_OPTIONAL) or isinstance(value, wanted) and _texts(value)
 

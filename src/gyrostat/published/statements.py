@@ -1,7 +1,4 @@
-"""Statement, Outcome, Counterexample, Doubt.
-
-A published formula, what its check found, and the numbers that show a misprint.
-"""
+"""Holds a published formula, what its check found, and the numbers that show a misprint."""
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from typing import Any
@@ -99,7 +96,7 @@ class Counterexample:
 
 @dataclass(frozen=True)
 class Outcome:
-    """What a check found; agrees is None where nothing can be checked.
+    """What a check found; agrees is None if nothing can be checked, or nothing decides.
 
     Parameters
     ----------
@@ -108,11 +105,11 @@ class Outcome:
     counterexample : Counterexample or None
         the claim fails there
     not_sharp : Counterexample or None
-        it does not fail there, and leaves the point out: no counterexample
+        a point that the claim leaves out; it does not fail there, so this is no counterexample
     corrected : Any
         what a misprint should read, None without one
     remark : str
-        what is known where there are no such numbers
+        what is known if there are no such numbers
     route : str
         how a confirmed statement was derived and compared
 
@@ -145,11 +142,11 @@ class Doubt:
         numbers by symbol, drawn when they are asked for
     printed, derived, difference : Any
     sides : tuple of Expr
-        of a formula, both sides of the entry that differs, as the library reads them
+        for a formula, both sides of the entry that differs, as the library reads them
     place : tuple of int or None
         that entry
     moving : mapping
-        of a solution, what its functions put in place of the coordinates
+        for a solution, what its functions put in place of the coordinates
     """
 
     points: Iterable[Mapping[Symbol, Expr]]
@@ -163,8 +160,9 @@ class Doubt:
 
 @dataclass(frozen=True)
 class Seen:
-    """What a claim says at a point, what is true there, why, and whether the claim fails there or only leaves
-    the point out.
+    """What a claim says at a point, and what is true there.
+
+    `why` proves the latter; `refutes` tells whether the claim fails there, or only leaves the point out.
     """
 
     printed: Any
@@ -174,10 +172,10 @@ class Seen:
 
 
 def entry_of(place: Any, derived: Any) -> str:
-    """Which entry of a vector or matrix a place is, in words; nothing of what has no entries."""
+    """Return in words which entry of a vector or matrix a place is; "" if there are no entries."""
     return f"entry {', '.join(str(i + 1) for i in place[:derived.cols])}: " if place else ""
 
 
 def as_text(printed: Any) -> str:
-    """A text as it is, a list of texts in brackets."""
+    """Return a text as it is, and a list of texts in brackets."""
     return printed if isinstance(printed, str) else "[" + ", ".join(map(as_text, printed)) + "]"

@@ -106,7 +106,7 @@ def test_verify_a_file_of_ones_own(capsys, tmp_path):
     path.write_text(OWN)
     status, out, _ = verify(capsys, str(path))
     assert status == 1 and "expected" not in out and out.endswith("\n1 statement: misprint\n")
-    assert "I₃² (ω₃⁰)² > 4 I₁ m₀" in out and "has the real part" in " ".join(out.split())
+    assert "I₃² (ω₃⁰)² > 4 I₁ m₀" in out and "with the real part" in " ".join(out.split())
     path.write_text(OWN.replace("2*I1*m0", "4*I1*m0"))
     status, out, _ = verify(capsys, str(path))
     assert status == 0 and "expected" not in out and out.endswith("\n1 statement: confirmed\n")
@@ -122,7 +122,7 @@ def test_what_was_checked_before_is_shown(capsys, tmp_path):
     later = OWN[OWN.index("[[formula]]"):].replace("stable", "later").replace("2*I1*m0", "2*I1*")
     path.write_text(OWN + "\n" + later)
     status, out, err = verify(capsys, str(path))
-    assert status == 2 and "✗ misprint" in out and "has the real part" in " ".join(out.split())
+    assert status == 2 and "✗ misprint" in out and "with the real part" in " ".join(out.split())
     assert "mine.toml: later: " in err and err.count("\n") == 1
     status, out, _ = verify(capsys, str(path), "--format", "json")
     assert (status, out) == (2, "")

@@ -206,7 +206,7 @@ def test_methods_and_times_are_checked(chaotic, monkeypatch):
     """heyoka is the method where it is installed; another name, or a time that is none, is refused."""
     monkeypatch.setattr(integration, "find_spec", lambda name: None)
     assert Integration(chaotic.scene, exact(STATE)).name == "DOP853"
-    with pytest.raises(ArgumentError, match="'RK4' is none that there is: use heyoka or DOP853"):
+    with pytest.raises(ArgumentError, match="'RK4' is not known: use heyoka or DOP853"):
         Integration(chaotic.scene, exact(STATE), method="RK4")
     with pytest.raises(ValuesError, match="nan is not a finite time"):
         chaotic.state([0.0, np.nan])

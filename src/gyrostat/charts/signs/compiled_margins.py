@@ -187,7 +187,7 @@ def compile_margin(what: Condition | Criterion | Expr, backend: str | ModuleType
            [False, False,  True]])
     """
     if isinstance(backend, str) and backend not in ("numpy", "numba"):
-        raise ArgumentError(f"backend = {backend!r} is none that there is: use 'numpy', 'numba' or a "
+        raise ArgumentError(f"backend = {backend!r} is not known: use 'numpy', 'numba' or a "
                             "module such as array_api_strict")
     if backend == "numba":
         optional("numba", "fast")

@@ -1,4 +1,4 @@
-"""Both sides of a printed formula at a point, by the library and again by Newton and Euler's equations."""
+"""Computes both sides of a formula at a point by the library, and by Newton and Euler's equations."""
 from collections.abc import Sequence
 from typing import Any
 
@@ -16,9 +16,9 @@ from .readings import Reading
 
 
 def formula_at(r: Reading, values: Values, doubt: Doubt) -> Seen | None:
-    """Both sides at the point.
+    """Compare both sides of a formula at a point; None if they are not seen to differ there.
 
-    As the library has them, and again from Newton and Euler's equations, or three turns.
+    The library gives them, and again Newton and Euler's equations, or the product of three turns.
     """
     if r.statement.kind == "solution":
         return _solution(r, values, doubt)
@@ -32,9 +32,9 @@ def formula_at(r: Reading, values: Values, doubt: Doubt) -> Seen | None:
 
 
 def _solution(r: Reading, values: Values, doubt: Doubt) -> Seen | None:
-    """The slope that is printed, against the rate along the motion.
+    """Compare the slope of a printed solution with the rate along the motion.
 
-    Or a start that no choice of the constants reaches.
+    If the functions satisfy the equations, show a start that no choice of their constants reaches.
     """
     quantity = list(map(str, r.statement.quantity))
     if doubt.place is None:
@@ -59,7 +59,7 @@ def _entry(value: Any, place: Any) -> Any:
 
 def _compared(r: Reading, values: Values, library: Sequence[Expr], again: Sequence[Any],
               doubt: Doubt) -> Seen | None:
-    """Both sides from both routes: these must agree, and the sides must not."""
+    """Return both sides if they differ; raise PublishedError if the two routes disagree on one of them."""
     (p, d), (x, y) = library, again
     for one, other in ((d, y), (p, x)):
         if (
@@ -76,8 +76,8 @@ def _compared(r: Reading, values: Values, library: Sequence[Expr], again: Sequen
     which = entry_of(doubt.place, doubt.derived)
     if sides[0].is_real is not True:
         return Seen("not real", d,
-                    f"{which}the printed value there is {p.evalf(8)}, by {by} it is {_short(y)}", True)
-    return Seen(p, d, f"{which}by {by} at these numbers {_short(y)}", True)
+                    f"{which}the printed value there is {p.evalf(8)}, and {by} give {_short(y)}", True)
+    return Seen(p, d, f"{which}{by} give {_short(y)} at these numbers", True)
 
 
 def _short(value: Expr) -> str:
@@ -85,19 +85,19 @@ def _short(value: Expr) -> str:
 
 
 def decimal_at(r: Reading, values: Values, doubt: Doubt) -> Seen | None:
-    """A printed decimal, against the number that Newton and Euler's equations give."""
+    """Compare a printed decimal with the number that Newton and Euler's equations give."""
     printed, half = decimal(str(r.statement.printed))
     value = number(r.independently(r.statement.quantity, values), r.scene, values)
     if abs((value - doubt.derived).evalf(25)) > 1e-18 * max(1, abs(doubt.derived.evalf(25))):
         raise PublishedError(f"computed independently it is {value}, by the library {doubt.derived}")
     if abs((value - printed).evalf(30)) <= half:
         return None
-    return Seen(printed, doubt.derived, f"by Newton and Euler's equations at these numbers {_short(value)}",
+    return Seen(printed, doubt.derived, f"Newton and Euler's equations give {_short(value)} at these numbers",
                 True)
 
 
 def rest_at(r: Reading, values: Values, doubt: Doubt) -> Seen | None:
-    """A printed point, at which a rate does not vanish."""
+    """Show a rate that does not vanish at a point that is printed as an equilibrium."""
     model = model_of(r.scene, values)
     at = dict(zip(model.coordinates, r.independently(r.statement.printed, values)))
     name, rate = model.coordinates[doubt.place[0]], model.field.subs(at)[doubt.place[0]].subs(dict(values))

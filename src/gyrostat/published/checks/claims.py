@@ -1,4 +1,4 @@
-"""Checks of printed claims: conditions for stability and existence, verdicts in words."""
+"""Checks printed claims: conditions for stability and existence, and verdicts in words."""
 from itertools import islice
 
 from ...errors import PublishedError, brief
@@ -13,17 +13,17 @@ from .failing_points import suspects
 from .readings import Reading
 from .sampling import K
 
-AT_EQUALITY = "sufficient as printed; necessary only with equality allowed"
-NOT_NECESSARY = "sufficient as printed, and not necessary: gyroscopic forces hold other rotations"
+AT_EQUALITY = "it is sufficient as printed; it is necessary only if equality is allowed"
+NOT_NECESSARY = "it is sufficient as printed, but not necessary: gyroscopic forces stabilise other rotations"
 
 
 def condition(r: Reading) -> Outcome | Doubt:
-    """The printed comparisons are the derived condition, in normal form."""
+    """Check that the printed comparisons are the derived condition, both in normal form."""
     s, quantity = r.statement, str(r.statement.quantity)
     if not isinstance(s.printed, str):
         raise PublishedError("a condition is one text: join its comparisons with and")
     derived = r.claim.derived(quantity)
-    never = s.printed == NEVER                           # a method that proves nothing
+    never = s.printed == NEVER                             # a method that proves nothing
     margins = [] if never else [(r.finish(margin), strict)
                                 for margin, strict in comparisons(s.printed, r.own)]
     if quantity == "existence":                            # what is divided by is not zero
@@ -54,7 +54,7 @@ def condition(r: Reading) -> Outcome | Doubt:
 
 
 def _stable_at_equality(r: Reading, derived: Criterion) -> bool:
-    """Whether the boundary criterion proves stability on the whole boundary of a single condition."""
+    """Return whether the boundary criterion proves stability on the whole boundary of one condition."""
     if len(derived.alternatives) != 1 or len(derived.alternatives[0]) != 1:
         return False
     margin = derived.alternatives[0][0].margin
@@ -69,7 +69,7 @@ def _stable_at_equality(r: Reading, derived: Criterion) -> bool:
 
 
 def statement(r: Reading) -> Outcome | Doubt:
-    """A claim in words: a verdict, a signature, or nothing that can be checked."""
+    """Check a claim in words: a verdict or a signature; an empty quantity cannot be checked."""
     s = r.statement
     if not s.quantity:
         return Outcome(None, s.printed)
@@ -84,10 +84,10 @@ def statement(r: Reading) -> Outcome | Doubt:
         return Doubt(islice(r.points({s for c in criteria for s in free_symbols(c)}), 40), s.printed, verdict)
     if s.quantity == "second variation, Casimirs alone":
         if s.printed != "semidefinite" or r.scene.potential is None:
-            raise PublishedError(f"printed = {brief(s.printed)}: in a field, the form is called "
-                                 "semidefinite or it is not a statement")
+            raise PublishedError(f"printed = {brief(s.printed)}: the only word that is "
+                                 "checked is semidefinite, for a body in a field")
         if r.scene.equilibrium is None:
             raise PublishedError("the second variation needs a scene with an equilibrium")
         return Doubt(islice(r.points([symbol("d2U")]), 40), s.printed, "indefinite")
-    raise PublishedError(f"quantity = {s.quantity!r}: a statement is about stability, second variation, "
-                         "Casimirs alone, or is left empty")
+    raise PublishedError(f"quantity = {s.quantity!r}: a statement is about 'stability' or 'second "
+                         "variation, Casimirs alone', or its quantity is ''")

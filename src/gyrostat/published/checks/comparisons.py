@@ -1,4 +1,4 @@
-"""The printed conditions of published files: comparisons joined by "and"."""
+"""Reads the printed conditions of published files: comparisons joined by "and"."""
 import re
 from collections import ChainMap
 from collections.abc import Mapping
@@ -20,7 +20,7 @@ _HOLDING = {1: ("<", "<="), 0: ("<=", ">="), -1: (">", ">=")}
 
 
 def comparisons(printed: str, names: Mapping[str, Any]) -> list[tuple[Expr, bool]]:
-    """The comparisons of a text joined by "and", as (margin, strict): margin > 0, or margin ≥ 0.
+    """Return the comparisons of a text as (margin, strict): margin > 0, or margin ≥ 0.
 
     A chain a < b < c says a < b, b < c and a < c; abs(x) < c says c² − x² > 0 and c > 0, √x < c
     that c² − x > 0, c > 0 and x ≥ 0.
@@ -42,10 +42,10 @@ def comparisons(printed: str, names: Mapping[str, Any]) -> list[tuple[Expr, bool
 
 
 def holds_as_printed(printed: str, names: Mapping[str, Any]) -> tuple[bool | None, bool]:
-    """Whether the comparisons of a text hold where its names are numbers, each as it is read, and whether two
-    of its sides are equal.
+    """Return whether a printed condition holds at numbers, and whether two of its sides are equal.
 
-    None where a side is not a real number, or a sign is not proved.
+    The names stand for numbers, and each comparison is read as it is printed. The first answer is None if a
+    side is not a real number, or a sign is not proved.
 
     Examples
     --------
@@ -76,13 +76,13 @@ def _is_real(value: Expr) -> bool:
 
 
 def sides_of(printed: str) -> list[tuple[list[str], list[str]]]:
-    """The texts of the sides, and the signs between them, of each comparison or chain of a condition."""
+    """Return the texts of the sides, and the signs between them, of each chain of a condition."""
     pieces = [_COMPARISON.split(part) for part in re.split(r"\band\b", printed.translate(RELATIONS))]
     return [(split[::2], split[1::2]) for split in pieces]
 
 
 def _chains(printed: str, names: Mapping[str, Any]) -> list[tuple[list[Expr], list[str]]]:
-    """The sides and the signs of each chain of comparisons, in the order in which they are printed."""
+    """Return the sides and the signs of each chain of comparisons, in the order in which they are printed."""
     found = []
     if len(_COMPARISON.findall(printed.translate(RELATIONS))) > COMPARISONS:
         raise ExpressionError(f"cannot read {brief(printed)}: it has more than {COMPARISONS} comparisons")

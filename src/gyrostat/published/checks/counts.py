@@ -1,4 +1,4 @@
-"""Checks of printed counts: how many equilibria a satellite has, of each index of K."""
+"""Checks printed counts: how many equilibria a satellite has, and how many with each index of K."""
 from typing import Any
 
 from ...equilibria.search import relative_equilibria
@@ -15,7 +15,7 @@ CURVE = "not finite: there is a closed curve of equilibria"
 
 
 def count(r: Reading) -> Outcome | Doubt:
-    """The printed numbers of equilibria, at the numbers of `at`."""
+    """Check the printed numbers of equilibria, at the values of `at`."""
     asked, printed = _texts(r.statement.quantity), _texts(r.statement.printed)
     if "orbit" not in r.scene.table or r.scene.equilibrium is not None:
         raise PublishedError("a count is of the equilibria of a satellite: give the scene an orbit, and no "
@@ -34,7 +34,7 @@ def count(r: Reading) -> Outcome | Doubt:
 
 
 def _said(asked: list[str], indices: list[int | None]) -> list[str]:
-    """How many there are of each that is asked for, by the index of each equilibrium, None on a curve."""
+    """Return how many equilibria there are of each kind asked for; the index on a curve of them is None."""
     if None in indices:
         return [CURVE] * len(asked)
     return [str(len(indices) if name == "equilibria" else indices.count(INDICES.index(name)))
@@ -42,7 +42,7 @@ def _said(asked: list[str], indices: list[int | None]) -> list[str]:
 
 
 def count_at(r: Reading, values: Values, doubt: Doubt) -> Seen | None:
-    """The same by a search from many starts, in floats."""
+    """Count the equilibria again by a search from many starts, in floats."""
     found = found_by_search(r.scene, values)
     asked, printed = _texts(r.statement.quantity), _texts(r.statement.printed)
     again = _said(asked, found)                            # where K is singular: a curve

@@ -1,4 +1,4 @@
-"""Published conditions and verdicts beside the criteria the library derives, both in margin normal form."""
+"""Compares published conditions and verdicts with the derived criteria, both in margin normal form."""
 import operator
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -60,18 +60,18 @@ class Claim:
 
     @cached_property
     def report(self) -> Report:
-        """Its analysis."""
+        """The analysis of the equilibrium."""
         return analyze(self.equilibrium)
 
     def domain(self, claim: str = "") -> tuple[Expr, ...]:
-        """Positive where the claim is made and, unless that is the claim, the equilibrium exists."""
+        """Return what is positive where the claim is made and, unless that is the claim, the point exists."""
         positive = (
             self.equilibrium.existence() if self.scene.equilibrium and claim != "existence" else self.given
         )
         return tuple(e.xreplace(self.at) for e in positive)
 
     def derived(self, claim: str) -> Criterion:
-        """What the library derives for a claim, with the values inserted."""
+        """Return what the library derives for a claim, with the values inserted."""
         found = self._derived(claim)
         return replace(found, alternatives=tuple(tuple(replace(
             c, margin=c.margin.xreplace(self.at),
@@ -79,7 +79,7 @@ class Claim:
             for alternative in found.alternatives))
 
     def _derived(self, claim: str) -> Criterion:
-        """What the library derives for a claim.
+        """Return what the library derives for a claim.
 
         Raises
         ------
@@ -109,9 +109,7 @@ class Claim:
         raise PublishedError(f"quantity = {claim!r}: a condition is {', '.join(CLAIMS)}")
 
     def _periodic(self) -> Criterion:
-        """abs(M)² = L2 between its limits on the energy surface E, and not on the separatrix, where the
-        period is infinite.
-        """
+        """Return the limits of abs(M)² = L2 at an energy E; on the separatrix the period is infinite."""
         if self.scene.potential is not None or any(self.scene.body.gyrostatic_momentum):
             raise PublishedError("periodic motion is decided for a free rigid body: leave out potential "
                                  "and gyrostatic_momentum")
@@ -120,9 +118,9 @@ class Claim:
         return criterion("periodic", [(low, True), (-high, True), (middle**2, True)])
 
     def _first_rung(self, sign: int) -> Criterion:
-        """The first coefficient beyond the boundary, of the sign that decides for stability or against it."""
+        """Return the condition on the first coefficient beyond the boundary; sign 1 is for stability."""
         if self.report.boundary is None:
-            raise PublishedError("a boundary is decided for a body of revolution in U(k3)")
+            raise PublishedError("a boundary is decided only for a body of revolution in U(k3)")
         rung = self.report.boundary.rung(3)
         if rung.escapes:
             raise PublishedError("at a tilt the first coefficient beyond the boundary decides against "
@@ -130,7 +128,7 @@ class Claim:
         return criterion("boundary", [(sign * rung.condition.margin, True)], self.equilibrium.at)
 
     def verdict(self) -> tuple[str, str]:
-        """The verdict, undecided unless it is the same on the whole domain, and what decided it."""
+        """Return the verdict, undecided unless the whole domain has the same, and what decided it."""
         sufficient, necessary = (normal(self.derived(f"{kind} for stability"), self.domain())
                                  for kind in ("sufficient", "necessary"))
         stable = "stable" + (f", modulo the flow of {', '.join(map(str, m))}"
@@ -145,7 +143,7 @@ class Claim:
         return stable if sign > 0 else "unstable", routes.ON_BOUNDARY
 
     def _at_numbers(self) -> tuple[str, str]:
-        """What normal forms and the like decide, where `at` gives a number for every name."""
+        """Return what the report decides, if `at` gives a number for every name that it requires."""
         numbers = {s.name: value for s, value in self.at.items() if value.is_number}
         if not numbers.keys() >= set(self.report.required):
             return "undecided", ""
@@ -155,9 +153,9 @@ class Claim:
         return decision.verdict.name.lower() + notion, f"decided at the numbers given: {decision.reason}"
 
     def _on_boundary(self) -> int | None:
-        """The sign of the first coefficient that is not 0, where it is the same on the whole domain.
+        """Return the sign of the first coefficient that is not 0, or None if the domain has no single one.
 
-        −1 where all vanish.
+        If all coefficients vanish, the sign is −1.
         """
         if self.report.boundary is None:
             return None
@@ -173,7 +171,7 @@ class Claim:
 
 
 def criterion(source: str, margins: Margins, at: Expr = K3) -> Criterion:
-    """Comparisons as a criterion, not yet in normal form."""
+    """Return comparisons as a criterion that is not yet in normal form."""
     return Criterion(Notion.PRINTED, (tuple(Condition(margin, strict, source, (), at)
                                             for margin, strict in margins),))
 
@@ -182,9 +180,9 @@ Normal = frozenset[tuple[Expr, bool, frozenset[Expr]]]
 
 
 def normal(given: Criterion, domain: Iterable[Expr]) -> set[Normal | tuple[()]]:
-    """The alternatives of a criterion, each as its independent conditions in normal form.
+    """Return the alternatives of a criterion, each as its independent conditions in normal form.
 
-    () is always true.
+    The alternative () is always true.
     """
     domain = list(domain)
     conditions = [c for alternative in given.alternatives for c in alternative]
@@ -210,9 +208,10 @@ def _item(condition: Condition, signs: Signs) -> Item:
 
 def agree(claim: str, printed: Criterion, derived: Criterion, domain: Iterable[Expr],
           strictness: bool = True) -> str:
-    """How a printed condition is the derived one, or is it but for > and ≥; "" if it is not.
+    """Return how a printed condition was found to be the derived one; "" if it was not.
 
-    A sufficient condition for instability may leave out where an even factor vanishes.
+    If strictness is False, > and ≥ count as the same. A sufficient condition for instability may leave out
+    the points at which an even factor vanishes.
     """
     domain = list(domain)
     even = claim != "sufficient for instability"
@@ -230,13 +229,13 @@ def agree(claim: str, printed: Criterion, derived: Criterion, domain: Iterable[E
 
 
 def free_symbols(given: Criterion) -> set[Symbol]:
-    """All symbols of a criterion."""
+    """Return all symbols of a criterion."""
     return {s for a in given.alternatives for c in a for e in (c.margin, *c.degenerate)
             for s in e.free_symbols}
 
 
 def holds(given: Criterion, values: dict[Symbol, Expr]) -> bool:
-    """Whether a criterion holds at rational values."""
+    """Return whether a criterion holds at rational values."""
     def compare(expression: Expr, relation: Relation) -> bool:
         value = expression.xreplace(values)
         if relation in (operator.eq, operator.ne):

@@ -1,6 +1,6 @@
-"""What may be shown against a printed claim.
+"""Decides what is shown against a printed claim: numbers at which it fails as it is read.
 
-Numbers at which it fails as it is read. Nothing else makes a Counterexample.
+No other module makes a Counterexample.
 """
 from itertools import islice
 
@@ -22,7 +22,7 @@ NEITHER = "it differs from what is derived, and at no point that was tried is th
 
 
 def decided(r: Reading, doubt: Doubt) -> Outcome:
-    """The first point at which the claim fails; else one that it leaves out; else nothing is shown.
+    """Return the first point at which the claim fails, else one that it leaves out, else none.
 
     Raises
     ------
@@ -50,14 +50,14 @@ def decided(r: Reading, doubt: Doubt) -> Outcome:
 
 
 def named(values: Values) -> tuple[tuple[str, Expr], ...]:
-    """Values by name, in order."""
+    """Return values by name, in order."""
     return tuple(sorted(((s.name, v) for s, v in values.items()), key=lambda pair: pair[0]))
 
 
 def is_of_the_scene(r: Reading, values: Values) -> bool:
-    """Whether numbers are a point of the scene at which the claim is made.
+    """Return whether numbers are a point of the scene at which the claim is made.
 
-    Of a body, on the family, where what is given holds.
+    The body has to be possible, the point has to lie on the family, and what is given has to hold.
     """
     scene, claims_existence = r.scene, r.statement.quantity == "existence"
     # others are the source's own

@@ -1,6 +1,6 @@
-"""Where a printed condition may be seen to fail.
+"""Proposes points at which a printed condition may be seen to fail.
 
-Drawn points, thin wedges between its boundary and the derived one, equality.
+They are drawn at random, lie in the wedges between its boundary and the derived one, or lie at equality.
 """
 from collections.abc import Iterable, Iterator
 from functools import partial
@@ -25,7 +25,7 @@ DRAWN, LEFT_OUT = 100, 4
 
 
 def suspects(r: Reading, printed: Criterion, derived: Criterion, alike: bool) -> Iterator[Values]:
-    """Points that may refute a condition, then some that it may only leave out.
+    """Yield points that may refute a condition, then some that it may only leave out.
 
     If alike is True, the printed condition and the derived one differ at equality at most.
     """
@@ -67,7 +67,7 @@ def suspects(r: Reading, printed: Criterion, derived: Criterion, alike: bool) ->
 
 
 def _in_turn(*sources: Iterator[Values]) -> Iterator[Values]:
-    """One of each, as long as there are any: no source uses up the points that are looked at."""
+    """Yield one of each source in turn, so that none uses up the points that are looked at."""
     left = list(sources)
     while left:
         for source in tuple(left):
@@ -78,19 +78,19 @@ def _in_turn(*sources: Iterator[Values]) -> Iterator[Values]:
 
 
 def _settled(r: Reading, values: Values) -> Values:
-    """With what `at` and the family make of the others."""
+    """Return the values with those that `at` and the family determine by the others."""
     return on_family(r.scene, values | {name: value.xreplace(values)
                                         for name, value in r.at.items() if name in values})
 
 
 def _admissible(r: Reading, values: Values) -> bool:
-    """Whether what is given and what is positive is so."""
+    """Return whether what is given is positive, and every symbol that is assumed to be."""
     return all(sign_of_constant(e.subs(values)) == 1
                for e in (*r.given, *(x for x in values if x.is_positive)))
 
 
 def _anywhere(r: Reading, symbols: set[Symbol]) -> Iterator[Values]:
-    """Points with special values too: existence may fail where a parameter is 0, or where abs(k) is not 1."""
+    """Yield points, special ones too: existence may fail if a parameter is 0, or abs(k) is not 1."""
     for values in r.points(symbols):
         for s in sorted(symbols, key=str):
             yield values | {s: Integer(2 if s in K else s.is_positive or 0)}
@@ -98,8 +98,9 @@ def _anywhere(r: Reading, symbols: set[Symbol]) -> Iterator[Values]:
 
 
 def _between(r: Reading, *criteria: Criterion) -> Iterator[Values]:
-    """On lines along one name, a point in each cell that the boundaries of the conditions cut, however thin,
-    and at rational ends.
+    """Yield points between the boundaries of the conditions, however near these are to one another.
+
+    On lines along one name there is a point in each cell that the boundaries cut, and at each rational end.
     """
     margins = [c.margin for criterion in criteria for a in criterion.alternatives for c in a]
     for values in islice(r.points(margins), LINES):
@@ -121,12 +122,12 @@ def _cells(margins: list[Expr], s: Symbol) -> Iterator[Expr]:
 
 
 def _on_boundary(r: Reading, derived: Criterion) -> Iterator[Values]:
-    """Points where a margin is 0, of each in turn."""
+    """Yield points where a margin is 0, of each margin in turn."""
     return _in_turn(*(_where_zero(r, c.margin) for a in derived.alternatives for c in a))
 
 
 def _where_zero(r: Reading, margin: Expr) -> Iterator[Values]:
-    """Points where a margin is 0, found along a name in which it is affine.
+    """Yield points where a margin is 0, found along a name in which it is affine.
 
     The curvature of an unspecified U is drawn too.
     """
@@ -146,8 +147,9 @@ def _where_zero(r: Reading, margin: Expr) -> Iterator[Values]:
 
 
 def _at_rest(r: Reading, margin: Expr) -> Iterator[Values]:
-    """Points of the boundary without momentum along the vertical, where both sides vanish; or where all is 0
-    that may be.
+    """Yield points of the boundary at rest, where both sides of a condition vanish.
+
+    First comes a point where all names are 0 that may be, then points without spin and rotor.
     """
     for values in islice(r.points([margin]), 1):
         on = values | {s: Integer(0) for s in values if not s.is_positive and s not in {*K, *r.at}}
@@ -167,9 +169,9 @@ def _at_rest(r: Reading, margin: Expr) -> Iterator[Values]:
 
 
 def _next(r: Reading, on: Values) -> Iterator[Values]:
-    """At E1 and E2 of an unspecified U, a third derivative of either sign.
+    """Yield a third derivative of an unspecified U of either sign, at E1 and E2.
 
-    It decides where the first two do not.
+    It decides if the first two derivatives do not.
     """
     d2U, d3U = symbol("d2U"), symbol("d3U")
     family = FAMILIES.get(r.scene.equilibrium.label) if r.scene.equilibrium else None
@@ -178,8 +180,9 @@ def _next(r: Reading, on: Values) -> Iterator[Values]:
 
 
 def _double(r: Reading, margin: Expr, s: Symbol, on: Values) -> Iterator[Values]:
-    """Points of the boundary where the necessary condition is at equality too, if it is a square along the
-    boundary.
+    """Yield points of the boundary where the necessary condition is at equality too.
+
+    There are some if its margin is a square along the boundary.
     """
     if s != symbol("dU"):
         return
@@ -194,7 +197,7 @@ def _double(r: Reading, margin: Expr, s: Symbol, on: Values) -> Iterator[Values]
 
 
 def _flat(r: Reading, on: Values) -> Values:
-    """At a tilt, the third derivative of U for which that of g vanishes too, so that the fourth decides."""
+    """Return the third derivative of U at a tilt with which g's vanishes, so that the fourth decides."""
     dU, d2U, d3U, k3 = map(symbol, ("dU", "d2U", "d3U", "k3"))
     if not r.scene.equilibrium or r.scene.equilibrium.label != E3.label or not {d2U, k3} <= on.keys():
         return {}

@@ -1,4 +1,4 @@
-"""Each statement of a source against what the library derives."""
+"""Checks each statement of a source against what the library derives."""
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -21,7 +21,7 @@ _STATUS = {True: "confirmed", False: "misprint", None: "unchecked"}
 
 @dataclass(frozen=True)
 class Finding:
-    """What the library found of one statement.
+    """What the library found about one statement.
 
     Parameters
     ----------
@@ -47,7 +47,7 @@ class Finding:
 
 
 def source_of(finding: Finding) -> Source:
-    """The source of a finding."""
+    """Return the source of a finding."""
     own = finding.statement.source in SOURCES and finding.statement.file == str(
         _HERE / f"{finding.statement.source}.toml"
     )
@@ -59,12 +59,12 @@ def check(sources: Iterable[str | Path] = SOURCES,
           progress: Callable[[str, int, int], None] | None = None) -> list[Finding]:
     """Check every statement of the sources against what the library derives.
 
-    It derives from the bracket and the Hamiltonian.
+    The library derives from the bracket and the Hamiltonian, or from the kinematics of the rotation.
 
     Parameters
     ----------
     sources : iterable of str or Path
-        as in load; all by default
+        as in load; default: all
     progress : function or None
         called with the source, the number of statements done, and their total
 
@@ -89,7 +89,7 @@ def check(sources: Iterable[str | Path] = SOURCES,
 
 def findings(sources: Iterable[str | Path], progress: Callable[[str, int, int], None] | None = None
              ) -> Iterator[Finding]:
-    """Each statement of the sources in turn, as check: what comes before one that cannot be read is there."""
+    """Yield the findings of check one by one, so that those before a fault are not lost."""
     for source in map(load, sources):
         refuse_unknown_names(source)
         for n, statement in enumerate(source.statements, 1):
@@ -106,13 +106,13 @@ def _finding(source: Source, statement: Statement) -> Finding:
 
 
 def outcome_of(statement: Statement) -> Outcome:
-    """The comparison of one statement.
+    """Compare one statement with what is derived.
 
     Raises
     ------
     GyrostatError
-        it cannot be read, a difference was found that is not confirmed independently, or what it is corrected
-        to is not what is derived
+        the statement cannot be read, a difference was found that is not confirmed independently, or what it
+        is corrected to is not what is derived
     """
     outcome = _checked(statement)
     if outcome.agrees is not False or statement.corrected is None:

@@ -1,4 +1,4 @@
-"""Checks of printed formulas: identities, equilibria, solutions of the equations of motion, numbers."""
+"""Checks printed formulas: identities, equilibria, solutions of the equations of motion, and numbers."""
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import chain, islice
 from typing import Any
@@ -18,7 +18,7 @@ from .sampling import on_family
 
 
 def identity(r: Reading) -> Outcome | Doubt:
-    """printed − quantity vanishes identically, on the family where the scene has an equilibrium."""
+    """Check that printed − quantity vanishes identically; at an equilibrium, on its family."""
     s = r.statement
     printed, derived = r.finish(read(s.printed, r.own)), r.finish(read(s.quantity, r.own))
     entries, places = _entries(printed, derived)
@@ -31,15 +31,15 @@ def identity(r: Reading) -> Outcome | Doubt:
 
 
 def _equal(p: Expr, d: Expr) -> bool:
-    """Identically; of numbers, whose roots may be nested, by their difference."""
+    """Return whether both are equal identically; of numbers with nested roots the difference decides."""
     return is_zero(p - d) or not (p - d).free_symbols and sign_of_constant(p - d) == 0
 
 
 def _where_they_differ(r: Reading, p: Expr, d: Expr,
                        functions: Sequence[Expr] = ()) -> Iterator[Mapping[Symbol, Expr]]:
-    """Points at which both sides are defined and different.
+    """Yield points at which both sides are defined and different.
 
-    First, if a printed function is never real, those at which it is not.
+    If a printed function is real at none of them, points at which it is not real come first.
     """
     drawn = r.points([p, d])
     tried = list(islice(drawn, 12)) if any(f.atoms(Pow) for f in functions or (p,)) else []
@@ -68,7 +68,7 @@ def _differ(p: Expr, d: Expr, values: Mapping[Symbol, Expr]) -> bool:
 
 
 def equilibrium(r: Reading) -> Outcome | Doubt:
-    """The field vanishes at the printed point, on the family."""
+    """Check that the field vanishes at the printed point, on the family."""
     s, scene = r.statement, r.scene
     point = read(s.printed, r.own)
     coordinates = scene.system.space.coordinates
@@ -85,9 +85,9 @@ def equilibrium(r: Reading) -> Outcome | Doubt:
 
 
 def solution(r: Reading) -> Outcome | Doubt:
-    """The printed functions of t satisfy the equations of motion.
+    """Check that the printed functions of t satisfy the equations of motion.
 
-    A general solution has as many constants as equations.
+    A general solution needs as many independent constants as there are equations.
     """
     s, scene = r.statement, r.scene
     names = list(map(str, s.quantity))
@@ -116,7 +116,7 @@ def solution(r: Reading) -> Outcome | Doubt:
     if not missing:
         return Outcome(True, printed, ImmutableMatrix(rates),
                        route=routes.of_solution(len(names) if s.constants else 0))
-    known = f"a solution with {len(names) - missing} of the {len(names)} constants of the general one"
+    known = f"it is a solution with {len(names) - missing} of the {len(names)} constants of the general one"
     fixed = [(i, f) for i, f in enumerate(printed.subs(t, 0)) if f.is_number]
     starts = [read(n, r.names) for n in names]
     points = (values for i, f in fixed for values in r.points(starts) if starts[i].subs(values) != f)
@@ -130,11 +130,11 @@ def _rank(printed: Any, constants: list[Symbol]) -> int:
 
 
 def rounded(r: Reading) -> Outcome | Doubt:
-    """The derived number rounds to the printed digits."""
+    """Check that the derived number rounds to the printed digits."""
     s = r.statement
     derived, (printed, half) = r.finish(read(s.quantity, r.own)), decimal(str(s.printed))
     if isinstance(derived, MatrixBase):
-        raise PublishedError("the quantity of a number is one number, this is a vector or matrix: use "
+        raise PublishedError("the quantity of a number is one number, but this is a vector or matrix: use "
                              "entry(…, i, j)")
     if derived.free_symbols:
         raise PublishedError("the quantity still contains "

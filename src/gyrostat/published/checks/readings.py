@@ -1,4 +1,4 @@
-"""Reading: a statement with its texts read, in the names of its scene and its own abbreviations."""
+"""Reads the texts of a statement, in the names of its scene and its own abbreviations."""
 from collections import ChainMap
 from collections.abc import Iterable, Iterator, Mapping
 from functools import partial
@@ -52,7 +52,7 @@ class Reading:
         self.given = tuple(margin for margin, _ in conditions)
 
     def _check_letters(self) -> None:
-        """Refuse a quantity in a letter that the paper has for something else than what is derived by it."""
+        """Refuse a quantity with a name that is a letter of the paper and a derived quantity as well."""
         if self.statement.kind not in ("identity", "family", "number"):
             return
         taken = [name for name in sorted(names_in(str(self.statement.quantity)))
@@ -64,7 +64,7 @@ class Reading:
                                  f"scene, let = {{ {name} = \"{DERIVED}{name}\" }} for what is derived")
 
     def finish(self, expression: Any) -> Any:
-        """On the family, with the values of at."""
+        """Return an expression on the family, with the values of at inserted."""
         return self.scene.finish(expression).xreplace(self.at)
 
     @cached_property
@@ -73,7 +73,7 @@ class Reading:
         return Claim(self.scene, tuple(map(self.finish, self.given)), self.at)
 
     def points(self, expressions: Iterable[Expr]) -> Iterator[dict[Symbol, Expr]]:
-        """Rational points of the scene; an existence claim is asked outside the domain too."""
+        """Yield rational points of the scene; a claim of existence is tried outside the domain too."""
         return points(self.scene, [*expressions, *self.mentioned], self.given, self.at,
                       self.statement.quantity != "existence")
 
@@ -81,7 +81,7 @@ class Reading:
     def mentioned(self) -> set[Symbol]:
         """Every symbol behind the names in the texts, also those that cancel.
 
-        Not those that an abbreviation hides.
+        A name that an abbreviation hides does not count.
         """
         s = self.statement
         found = names_in(str([s.given, self.scene.table.get("given", ""), s.at]))
@@ -93,20 +93,20 @@ class Reading:
                 for x in self.finish(value).free_symbols}
 
     def independently(self, text: Any, values: Mapping[Symbol, Expr]) -> Any:
-        """A quantity from Newton and Euler's equations at numbers."""
+        """Return a quantity at numbers, from Newton and Euler's equations."""
         return read(text, self.independent(values))
 
     def independent(self, values: Mapping[Symbol, Expr]) -> Mapping[str, Any]:
-        """The names from Newton and Euler's equations at numbers, with the source's own."""
+        """Return what the names and abbreviations stand for at numbers, by Newton and Euler's equations."""
         return _with_let(self.without_let(values), self.statement.let)
 
     def without_let(self, values: Mapping[Symbol, Expr]) -> Mapping[str, Any]:
-        """The same of the scene alone, as `given` and `at` are read."""
+        """Return the same without the abbreviations, which `given` and `at` do not read."""
         return names_at_numbers.names(self.scene, values)
 
 
 def _with_let(scene_names: Mapping[str, Any], let: Mapping[str, str]) -> Mapping[str, Any]:
-    """The source's own abbreviations before the names of the scene; each may use those before it."""
+    """Return the names of a scene behind the abbreviations, each of which may use those before it."""
     layered = scene_names
     for name, text in let.items():
         read_later = Later(partial(part_of, text, layered))

@@ -1,4 +1,4 @@
-"""Rational points of a scene, in a fixed order, at which a printed and a derived formula are compared."""
+"""Draws rational points of a scene, in a fixed order, at which two formulas are compared."""
 import random
 from collections.abc import Iterable, Iterator, Mapping
 
@@ -19,7 +19,7 @@ TRIALS = 400
 
 
 def unknowns(scene: Scene, expressions: Iterable[Expr]) -> list[Symbol]:
-    """Every symbol that a point of the scene needs a number for."""
+    """Return every symbol that a point of the scene needs a number for."""
     found = {s for e in expressions for s in e.free_symbols} | scene.parameters
     eq = scene.equilibrium
     if "angles" in scene.table:
@@ -37,8 +37,9 @@ def unknowns(scene: Scene, expressions: Iterable[Expr]) -> list[Symbol]:
 
 def points(scene: Scene, expressions: Iterable[Expr], given: Iterable[Expr], at: Mapping[Symbol, Expr],
            inside: bool = True) -> Iterator[dict[Symbol, Expr]]:
-    """Points of the scene, k a unit vector, where everything given is positive and, if inside, the
-    equilibrium exists.
+    """Yield points of the scene where everything given is positive.
+
+    k is a unit vector. If inside is True, the equilibrium exists at each point.
     """
     names, positive, eq = unknowns(scene, expressions), list(given), scene.equilibrium
     # l of omega = m0/l, though the family expresses l by omega: the two have to agree, and evidence asks that
@@ -68,7 +69,7 @@ def points(scene: Scene, expressions: Iterable[Expr], given: Iterable[Expr], at:
 
 
 def on_family(scene: Scene, values: dict[Symbol, Expr]) -> dict[Symbol, Expr]:
-    """The values with what the relations of the equilibrium make of them."""
+    """Return the values with those that the relations of the equilibrium determine."""
     # U' uses what is solved for
     for name, value in reversed(scene.equilibrium.relations) if scene.equilibrium else ():
         values = values | {name: value.xreplace(values)}
@@ -78,8 +79,10 @@ def on_family(scene: Scene, values: dict[Symbol, Expr]) -> dict[Symbol, Expr]:
 
 
 def is_a_body(scene: Scene, values: Mapping[Symbol, Expr]) -> bool:
-    """Whether no moment exceeds the sum of the others, where the moments are drawn; of a tensor, whose axes
-    are not principal, and of a vehicle, which moves a fluid, whether it is positive.
+    """Return whether drawn moments are possible: none exceeds the sum of the others.
+
+    Of a tensor, whose axes are not principal, and of a vehicle, which moves a fluid, only positivity is
+    asked. Moments that are not drawn count as possible.
     """
     positive = [e.xreplace(dict(values)) for e in scene.body.positive]
     if any(e.free_symbols for e in positive) or not any(e.free_symbols for e in scene.body.positive):

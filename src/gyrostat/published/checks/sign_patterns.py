@@ -1,4 +1,7 @@
-"""Strict conditions by the signs of their factors: A B > 0 and A > 0 say what A > 0 and B > 0 say."""
+"""Compares strict conditions by the signs of their factors.
+
+A B > 0 and A > 0 say the same as A > 0 and B > 0.
+"""
 from collections.abc import Iterable
 
 from sympy import Expr, factor_list
@@ -8,8 +11,10 @@ Pattern = tuple[frozenset[tuple[frozenset[Expr], int]], frozenset[Expr]]
 
 
 def sign_pattern(conditions: Iterable[Strict]) -> Pattern | None:
-    """The signs that products of factors have, solved over the integers modulo 2, and the factors that do not
-    vanish: equal for what is equal. None where a condition is not strict.
+    """Return the signs that products of factors have, and the factors that do not vanish.
+
+    The signs are solved over the integers modulo 2, so that equivalent conditions give one pattern. None if a
+    condition is not strict.
 
     Examples
     --------
@@ -32,7 +37,7 @@ def sign_pattern(conditions: Iterable[Strict]) -> Pattern | None:
 
 
 def _solved(rows: list[tuple[frozenset[Expr], int]]) -> list[tuple[frozenset[Expr], int]]:
-    """Each row with a factor that no other row has: products of rows, of which the signs multiply."""
+    """Return products of rows, with their signs, such that each has a factor that no other has."""
     found: list[tuple[frozenset[Expr], int]] = []
     for factor in sorted({factor for factors, _ in rows for factor in factors}, key=str):
         first = next((row for row in rows if factor in row[0]), None)

@@ -1,4 +1,4 @@
-"""What is true of a printed condition or verdict at a point, by Newton and Euler's equations."""
+"""Decides what is true of a printed condition or verdict at a point, by Newton and Euler's equations."""
 from ...algebra.reals.exact import sign_of_constant
 from ...errors import GyrostatError, PublishedError
 from ...notation import symbol
@@ -14,7 +14,7 @@ from .readings import Reading
 
 
 def model_at(r: Reading, values: Values) -> Model | None:
-    """The scene at numbers; None where its equilibrium does not exist."""
+    """Return the scene at numbers; None if its equilibrium does not exist there."""
     try:
         return model_of(r.scene, values)
     except GyrostatError:
@@ -22,7 +22,7 @@ def model_at(r: Reading, values: Values) -> Model | None:
 
 
 def condition_at(r: Reading, values: Values, doubt: Doubt) -> Seen | None:
-    """A printed condition as it is read, against what is proved of the point."""
+    """Compare a printed condition, as it is read, with what is proved about the point."""
     claim, model = str(r.statement.quantity), model_at(r, values)
     if model is None:
         return None
@@ -41,7 +41,7 @@ def condition_at(r: Reading, values: Values, doubt: Doubt) -> Seen | None:
 
 
 def _word(claim: str, truth: bool) -> str:
-    """What is true, in the words of the claim."""
+    """Return what is true, in the words of the claim."""
     if claim.endswith("Casimirs alone"):
         return "definite" if truth else "not definite"
     if claim == DAMPED:
@@ -54,7 +54,7 @@ def _word(claim: str, truth: bool) -> str:
 
 
 def _truth(r: Reading, claim: str, model: Model, values: Values) -> tuple[bool | None, str]:
-    """Whether what a condition is claimed for is true at a point; None where neither is proved."""
+    """Return whether what a condition is claimed for is true at a point; None if neither is proved."""
     if claim == "existence":
         return _exists(r, model)
     if claim == "sufficient for periodic motion":
@@ -68,7 +68,7 @@ def _truth(r: Reading, claim: str, model: Model, values: Values) -> tuple[bool |
         )
     if claim == SPECTRAL:
         grows = model.grows()
-        return not grows, ("the characteristic polynomial of the differenced field, its signs exact, has "
+        return not grows, ("the characteristic polynomial of the linearised field, its signs exact, has "
                            + ("a root with a positive real part" if grows else "no root with one"))
     if claim == DAMPED:
         least = is_least(model)
@@ -81,7 +81,7 @@ def _truth(r: Reading, claim: str, model: Model, values: Values) -> tuple[bool |
 
 
 def _exists(r: Reading, model: Model) -> tuple[bool | None, str]:
-    """An equilibrium has a direction; its field vanishes, or there is no model."""
+    """Return whether the equilibrium exists: its direction is real, and the model has checked its field."""
     if r.scene.equilibrium is None:
         return True, "what is given holds there"
     if len(model.point) == 6 and sign_of_constant(1 - model.k3**2) == -1:
@@ -100,11 +100,11 @@ def _periodic(r: Reading, values: Values) -> tuple[bool | None, str]:
         raise PublishedError(f"the separatrix does not satisfy Euler's equations: residual {worst}")
     return False, ("on the separatrix M2 = tanh(√((1/I1 − 1/I2)(1/I2 − 1/I3)) t) satisfies Euler's "
                    "equations (residual below 1e-20) and "
-                   "grows for ever")
+                   "increases for ever")
 
 
 def verdict_at(r: Reading, values: Values, doubt: Doubt) -> Seen | None:
-    """A verdict in words, or the signature of a form."""
+    """Compare a verdict in words, or the signature of a form, with what is proved about the point."""
     model = model_at(r, values)
     if model is None:
         return None
@@ -117,4 +117,5 @@ def verdict_at(r: Reading, values: Values, doubt: Doubt) -> Seen | None:
     if not plus or not minus:
         return None
     return Seen(r.statement.printed, f"{plus} positive, {zero} zero and {minus} negative squares",
-                "counted exactly on the tangent space of the orbit, from D²(h + ν·C) at these numbers", True)
+                "they are counted exactly on the tangent space of the orbit, as those of D²(h + ν·C) there",
+                True)

@@ -1,4 +1,4 @@
-"""What confirms a verdict where gyroscopic forces hold a maximum: Arnold's theorem, at rational numbers.
+"""Confirms by Arnold's theorem, at rational numbers, that gyroscopic forces stabilise a maximum.
 
 Nothing here uses the normal forms of the library.
 """
@@ -21,13 +21,13 @@ BITS, DIGITS = 256, 40
 
 
 def stability(model: Model) -> tuple[int, str]:
-    """As Model.stability, and where that proves nothing, by Arnold's theorem."""
+    """Return what Model.stability proves or, if it proves nothing, what Arnold's theorem proves."""
     sign, why = model.stability()
     return (sign, why) if sign else Oscillations(model).stability()
 
 
 def normal_form_names(model: Model) -> Mapping[str, Any]:
-    """Signed frequencies, how they change with the actions, D4 and D6."""
+    """Return the signed frequencies, how they change with the actions, D4 and D6, by their names."""
     at = Oscillations(model)
     return {"frequency_1": Later(lambda: _number(at.frequencies[0])),
             "frequency_2": Later(lambda: _number(at.frequencies[1])),
@@ -43,7 +43,7 @@ def _number(x: Any) -> Expr:
 
 @dataclass(frozen=True)
 class Oscillations:
-    """Of a model at numbers in a polynomial field, where p, q, p² − 4q > 0."""
+    """The two oscillations of a model at numbers in a polynomial field, if p, q, p² − 4q > 0."""
 
     model: Model
 
@@ -55,7 +55,7 @@ class Oscillations:
 
     @cached_property
     def oscillates(self) -> bool:
-        """Whether it has two frequencies, in a polynomial field."""
+        """Whether the model has two frequencies, and a polynomial field."""
         if len(self.model.coordinates) != 6 or not self.model.U.is_polynomial(*K):
             return False
         p, q = self.coefficients
@@ -63,17 +63,17 @@ class Oscillations:
 
     @property
     def rational(self) -> bool:
-        """Whether all numbers are."""
+        """Whether all numbers of the model are rational."""
         return all(x.is_Rational for x in (*self.model.point, *self.model.inertia, *self.model.rotor,
                                            *Poly(self.model.U, *K).coeffs()))
 
     def is_resonant(self, m: int, n: int) -> bool:
-        """Whether m Ω1 = n Ω2."""
+        """Return whether the frequencies are as m to n, in either order."""
         p, q = self.coefficients
         return bool((m * n) ** 2 * p**2 == (m**2 + n**2) ** 2 * q)
 
     def stability(self) -> tuple[int, str]:
-        """1 proved stable, −1 unstable, 0 neither; and why."""
+        """Return 1 if it is proved stable, −1 if unstable, 0 if neither; and why."""
         if not self.oscillates or not self.rational:
             return 0, ""
         for ratio in (2, 3):
@@ -83,15 +83,15 @@ class Oscillations:
             if any(self.is_resonant(m, order - m) for m in (1, 2)):
                 return 0, ""
             if not (D := self.twist(order)).contains(0):
-                return 1, (f"gyroscopic forces hold it: no resonance to order {order}, and D{order} = "
-                           f"{D.str(12, radius=False)}, not 0, from how the frequencies of motions nearby "
-                           "change by Newton and Euler's equations: Lyapunov stable (Arnold-Moser)")
+                return 1, (f"gyroscopic forces stabilise it: there is no resonance to order {order}, and "
+                           f"D{order} = {D.str(12, radius=False)} is not 0 (from the frequencies of motions "
+                           "nearby, by Newton and Euler's equations): Lyapunov stable (Arnold-Moser)")
         return 0, ""
 
     def _resonance(self, ratio: int) -> tuple[int, str]:
-        """At 1:2 and 1:3, energies of both signs: unstable where the slower oscillation drives the faster.
+        """Prove instability at 1:2 or 1:3, if the slower oscillation drives the faster.
 
-        At 1:3 by more than the frequencies change.
+        The energies have both signs. At 1:3 the drive has to exceed what the frequencies change.
         """
         with own_precision(BITS):
             motion = Motion(self.model, self.coefficients, ratio, ratio)
@@ -99,17 +99,17 @@ class Oscillations:
                       else motion.amplitude.real > abs(motion.twists[0]))
             if motion.signs[0] == motion.signs[1] or not drives:
                 return 0, ""
-        return -1, (f"the frequencies are as 1 to {ratio}, their energies of both signs, and by Newton and "
-                    "Euler's equations the slower oscillation drives the faster: unstable (Markeev)")
+        return -1, (f"the frequencies are as 1 to {ratio}, their energies have both signs, and by Newton "
+                    "and Euler's equations the slower oscillation drives the faster: unstable (Markeev)")
 
     def twist(self, order: int) -> Any:
-        """D4 or D6 in a ball."""
+        """Return D4 or D6 in a ball."""
         with own_precision(BITS):
             return self._motion(order - 1).twists[order // 2 - 2].real
 
     @cached_property
     def frequencies(self) -> tuple[Any, Any]:
-        """The greater first, each with the sign of its energy."""
+        """The two frequencies, the greater first, each with the sign of its energy."""
         with own_precision(BITS):
             motion = self._motion(2)
             first, second = (rate * sign for rate, sign in zip(motion.rates, motion.signs))
@@ -117,7 +117,7 @@ class Oscillations:
 
     @cached_property
     def birkhoff(self) -> tuple[Any, Any, Any]:
-        """Coefficients of J1², J1 J2 and J2²."""
+        """The coefficients of J1², J1 J2 and J2²."""
         with own_precision(BITS):
             motion = self._motion(3)
             one, mixed, two = motion.bent
@@ -125,6 +125,6 @@ class Oscillations:
 
     def _motion(self, order: int) -> Motion:
         if not self.oscillates:
-            raise PublishedError("a normal form by Newton and Euler's equations is one of a polynomial U, "
-                                 "where p, q, p² − 4q > 0")
+            raise PublishedError("a normal form by Newton and Euler's equations needs a polynomial U, and "
+                                 "p, q, p² − 4q > 0")
         return Motion(self.model, self.coefficients, order)

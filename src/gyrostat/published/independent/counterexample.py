@@ -1,7 +1,7 @@
-"""Newton and Euler's equations at rational numbers, by which a counterexample is confirmed.
+"""Confirms a counterexample by Newton and Euler's equations at rational numbers.
 
-They are written with cross products and matrices. Nothing here uses the bracket, the linearisation or the
-criteria of the library, nor any published formula.
+The equations are written with cross products and matrices. Nothing here uses the bracket, the linearisation
+or the criteria of the library, nor any published formula.
 """
 from collections.abc import Mapping
 from typing import Any
@@ -45,7 +45,7 @@ class Model:
                                  f"{self.values}")
 
     def _potential(self, scene: Scene) -> Expr:
-        """U as a polynomial with the derivatives given, or the expression at its numbers."""
+        """Return U: a polynomial with the derivatives given, or the expression at its numbers."""
         potential = scene.potential
         assert potential is not None
         if potential.given:
@@ -78,47 +78,47 @@ class Model:
 
     @property
     def place(self) -> dict[Any, Any]:
-        """The coordinates at the point."""
+        """The value of each coordinate at the point."""
         return dict(zip(self.coordinates, self.point))
 
     def number(self, value: Any) -> Any:
-        """A value of the parameters, not of the coordinates."""
+        """Return a value at the numbers of the parameters, its coordinates left as they are."""
         return value.subs({s: x for s, x in self.values.items() if s not in self.coordinates})
 
     def has_a_unit_k(self) -> bool:
-        """Whether k is a unit vector at the point; on so(3)* there is none."""
+        """Return whether k is a unit vector at the point; True on so(3)*, where there is no k."""
         return len(self.point) == 3 or sign_of_constant(sum(x**2 for x in self.point[3:]) - 1) == 0
 
     @cached_property
     def omega(self) -> Matrix:
-        """Angular velocity."""
+        """The angular velocity."""
         return Matrix([p / moment for p, moment in zip(PI, self.inertia)])
 
     @cached_property
     def field(self) -> Matrix:
-        """π̇ = (π + l) × ω + k × ∇U, k̇ = k × ω."""
+        """The field π̇ = (π + l) × ω + k × ∇U, k̇ = k × ω."""
         torque = K.cross(Matrix([self.U.diff(x) for x in K])) if self.U else Matrix([0, 0, 0])
         turning = (PI + self.rotor).cross(self.omega) + torque
         return Matrix([*turning, *K.cross(self.omega)]) if len(self.coordinates) == 6 else turning
 
     @cached_property
     def jacobian(self) -> Matrix:
-        """∂f/∂x at the point."""
+        """The derivative ∂f/∂x of the field at the point."""
         return self.field.jacobian(self.coordinates).subs(self.place)
 
     @cached_property
     def energy(self) -> Expr:
-        """h of the momenta and k."""
+        """The energy h as a function of the momenta and k."""
         return sum(p**2 / moment for p, moment in zip(PI, self.inertia)) / 2 + self.U
 
     @cached_property
     def casimirs(self) -> list[Expr]:
-        """M·k and k·k, of a free body M·M."""
+        """The Casimirs M·k and k·k; that of a free body is M·M."""
         M = PI + self.rotor
         return [M.dot(K), K.dot(K)] if len(self.coordinates) == 6 else [M.dot(M)]
 
     def growth(self) -> mpmath.mpf:
-        """Largest real part of an eigenvalue, to 50 digits."""
+        """Return the largest real part of an eigenvalue, to 50 digits."""
         with mpmath.workdps(2 * DIGITS):
             J = self.jacobian
             values, _ = mpmath.eig(mpmath.matrix([[mpmath.mpf(Float(x.evalf(2 * DIGITS))._mpf_)
@@ -127,7 +127,7 @@ class Model:
 
     @cached_property
     def polynomial(self) -> Expr:
-        """Characteristic polynomial on the orbit.
+        """The characteristic polynomial on the orbit.
 
         Each Casimir gives a factor λ of that of the whole field.
         """
@@ -135,7 +135,7 @@ class Model:
         return Poly([x.expand() for x in found], symbol("lamda")).as_expr()
 
     def grows(self) -> bool:
-        """Whether an eigenvalue is proved to have a positive real part.
+        """Return whether an eigenvalue is proved to have a positive real part.
 
         On the orbit the characteristic polynomial is λ⁴ + pλ² + q, for a free body λ² + q.
         """
@@ -145,10 +145,10 @@ class Model:
         return -1 in [sign_of_constant(e) for e in (p, q, p**2 - 4 * q)]
 
     def stability(self) -> tuple[int, str]:
-        """1 proved Lyapunov stable, modulo the spin at a tilt; -1 proved unstable; 0 neither; and why."""
+        """Return 1 if it is proved stable, at a tilt modulo the spin, -1 if unstable, else 0; and why."""
         if self.grows():
-            return -1, ("an eigenvalue of the differenced field has the real part "
-                        f"{mpmath.nstr(self.growth(), 15)}: unstable")
+            return -1, ("the linearised equations of Newton and Euler have an eigenvalue with "
+                        f"the real part {mpmath.nstr(self.growth(), 15)}: unstable")
         level = self.level_set()
         if level == -1:
             return -1, ("motions with the same energy and momenta, or with momenta as near as one likes, "
@@ -164,19 +164,19 @@ class Model:
                    "stable, modulo the spin")
 
     def is_on_boundary(self) -> bool:
-        """Whether the second variation of a body of revolution does not decide.
+        """Return whether the second variation of a body of revolution does not decide.
 
-        The square of k̇3 is 0 to the second order in k3.
+        Then k̇3² vanishes to the second order in k3.
         """
         return self.spins and self._leading()[0] != 2
 
     def level_set(self) -> int:
-        """1 if the level set of all integrals near the point is only its orbit under the spin, -1 if motions
-        leave along it, else 0.
+        """Return 1 if the level set of all integrals near the point is only its orbit under the spin.
 
-        1 proves Lyapunov stability, -1 instability, both modulo the spin. On so(3)* the energy has a strict
-        extremum on the sphere, or none. Otherwise, but for a body of revolution, a definite second variation
-        isolates the point.
+        1 proves Lyapunov stability. -1 proves instability: motions leave along the level set, or along one
+        that is as near as one likes. 0 proves neither. All of it is modulo the spin. On so(3)* the energy has
+        a strict extremum on the sphere, or none. Otherwise, unless the body is one of revolution, a definite
+        second variation isolates the point.
         """
         if len(self.coordinates) == 3:
             first, second = self.signs_on_sphere() or (1, 1)   # none where the sphere is a point
@@ -197,15 +197,14 @@ class Model:
         return self.label in ("E1", "E2") or bool(self.claimed) and self.k3**2 == 1
 
     def signs_on_sphere(self) -> list[int | None]:
-        """Of the two squares of the energy about the point on the sphere."""
+        """Return the signs of the two squares of the energy about the point on the sphere."""
         return signs_on_sphere(self.inertia, [*(Matrix(self.point) + self.rotor)], self.point)
 
     def _leading(self) -> tuple[int, int]:
-        """Of a body of revolution I1² k̇3² = g(k3), where g has a multiple root at the equilibrium.
+        """Return the power and the sign of the first term of g at the equilibrium.
 
-        Power and sign of its first term.
-
-        (0, 0): g is 0 throughout; sign 0: not proved, or beyond the sixth power.
+        A body of revolution satisfies I1² k̇3² = g(k3), where g has a multiple root there. (0, 0) means that g
+        is 0 throughout; the sign is 0 if it is not proved, or the term lies beyond the sixth power.
         """
         z, at, M = symbol("z"), self.place, PI + self.rotor
         energy = (sum(p**2 / moment for p, moment in zip(PI[:2], self.inertia)) / 2 + self.U).subs(at)
@@ -216,29 +215,29 @@ class Model:
         return power, sign or 0
 
     def is_definite(self) -> bool | None:
-        """Whether D²(h + ν·C) is definite on the tangent space of the orbit.
+        """Return whether D²(h + ν·C) is definite on the tangent space of the orbit.
 
-        None where a sign is not proved.
+        None if a sign is not proved.
         """
         squares = self.inertia_of_second_variation()
         return squares and not squares[1] and 0 in squares[::2]
 
     @cached_property
     def _gradients(self) -> Matrix:
-        """Of h and the Casimirs, in rows, at the point."""
+        """The gradients of h and of the Casimirs at the point, in rows."""
         rows = Matrix([[f.diff(x) for x in self.coordinates] for f in (self.energy, *self.casimirs)])
         return rows.subs(self.place)
 
     def multipliers(self, far: int = FAR) -> list[Expr]:
-        """ν with ∇h + Σ ν ∇C = 0 at the point; far for what is free, [] where there are none."""
+        """Return ν with ∇h + Σ ν ∇C = 0 at the point: far for one that is free, [] if there are none."""
         names, rows = [symbol(f"x{n}") for n, _ in enumerate(self.casimirs, 1)], self._gradients
         force = rows[0, :] + Add(*(x * rows[n, :] for n, x in enumerate(names, 1)), evaluate=False).doit()
         return [x.subs(dict.fromkeys(names, far)) for nu in linsolve(list(force), names) for x in nu]
 
     def inertia_of_second_variation(self, far: int = FAR, spin: bool = False) -> tuple[int, int, int] | None:
-        """Numbers of positive, zero and negative squares of D²(h + ν·C) on ker dC, of π3 too if it is held.
+        """Return the numbers of positive, zero and negative squares of D²(h + ν·C) on the kernel of dC.
 
-        None where there is no ν, or a sign is not proved.
+        If spin is True, π3 is fixed too. None if there is no ν, or a sign is not proved.
         """
         if not (nu := self.multipliers(far)):              # parallel directions, and it turns about them
             return None

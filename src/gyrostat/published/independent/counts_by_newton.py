@@ -1,4 +1,4 @@
-"""What confirms a count: the critical points of V over all orientations, by Newton's method in floats.
+"""Counts the critical points of V over all orientations, by Newton's method in floats.
 
 Nothing here uses the equilibria of the library, nor any published formula.
 """
@@ -15,8 +15,9 @@ Array = NDArray[np.float64]
 
 
 def found_by_search(scene: Scene, values: Values) -> list[int | None]:
-    """Of each critical point of V = (3/2) ω0² r·Ir − (1/2) ω0² n·In − ω0 n·l the number of negative squares
-    of D²V; None where it is degenerate.
+    """Return the number of negative squares of D²V for each critical point of V; None if it is degenerate.
+
+    V = (3/2) ω0² r·Ir − (1/2) ω0² n·In − ω0 n·l.
     """
     at = dict(values)
     rate = float(rate_of(scene).subs(at))
@@ -40,7 +41,7 @@ def found_by_search(scene: Scene, values: Values) -> list[int | None]:
 
 
 def _derivatives(place: Array, tensor: Array, rotor: Array, rate: float) -> tuple[Array, Array]:
-    """Of V by θ at 0, where n and r, the rows of each place, change to a + a × θ + (a × θ) × θ/2."""
+    """Return DV and D²V by θ at 0; each row a of a place, n or r, turns to a + a × θ + (a × θ) × θ/2."""
     slope, bent = np.zeros((len(place), 3)), np.zeros((len(place), 3, 3))
     for a, weight, linear in ((place[:, 0], -rate**2, -rate * rotor), (place[:, 1], 3 * rate**2, 0 * rotor)):
         force = weight * a @ tensor + linear
@@ -53,14 +54,14 @@ def _derivatives(place: Array, tensor: Array, rotor: Array, rate: float) -> tupl
 
 
 def _directions(quaternions: Array) -> Array:
-    """Rows n, r."""
+    """Return the directions n and r, in rows, that quaternions stand for."""
     a, b, c, d = (quaternions / np.linalg.norm(quaternions, axis=1, keepdims=True)).T
     return np.stack([np.stack([2*(b*c + a*d), a*a - b*b + c*c - d*d, 2*(c*d - a*b)], -1),
                      np.stack([2*(b*d - a*c), 2*(c*d + a*b), a*a - b*b - c*c + d*d], -1)], 1)
 
 
 def _turned(place: Array, angles: Array) -> Array:
-    """By a finite turn θ, to first order a + a × θ."""
+    """Return each place after a finite turn by θ, which to first order is a + a × θ."""
     size = np.linalg.norm(angles, axis=1)[:, None, None]
     axis = angles[:, None] / np.where(size > 0, size, 1)
     across = np.cross(place, axis)

@@ -1,7 +1,7 @@
-"""What confirms a counterexample of a body in two directions: its equations of motion at numbers.
+"""Confirms a counterexample about a body in two directions by its equations of motion at numbers.
 
-Newton and Euler's of a satellite and of a body in two fields, Kirchhoff's of a vehicle. Nothing here uses the
-bracket, the linearisation or the criteria of the library, nor any published formula.
+They are Newton and Euler's for a satellite or a body in two fields, and Kirchhoff's for a vehicle. Nothing
+here uses the bracket, the linearisation or the criteria of the library, nor any published formula.
 """
 from typing import Any
 
@@ -19,13 +19,12 @@ from .counterexample import FAR, PI, Model, Values
 
 
 def model_of(scene: Scene, values: Values) -> Model:
-    """The scene at numbers."""
+    """Return the scene at numbers."""
     return InFrame(scene, values) if scene.system.coupled else Model(scene, values)
 
 
 class InFrame(Model):
-    """A scene in two directions a, b at numbers: its field, and the point of the equilibrium if there is one.
-    """
+    """A scene in two directions a, b at numbers: its field, and its equilibrium if there is one."""
 
     def __init__(self, scene: Scene, values: Values):
         self.values = dict(values)
@@ -48,25 +47,26 @@ class InFrame(Model):
                                  f"{self.values}")
 
     def has_a_unit_k(self) -> bool:
-        """Whether the directions are as the scene has them: construction checks it."""
+        """Return True: the directions are as the scene has them, which construction has checked."""
         return True
 
     @cached_property
     def coefficients(self) -> tuple[Expr, Expr, Expr]:
-        """c2, c1, c0 of λ⁶ + c2 λ⁴ + c1 λ² + c0."""
+        """The coefficients c2, c1, c0 of λ⁶ + c2 λ⁴ + c1 λ² + c0."""
         a, b, c = (self.polynomial.coeff(symbol("lamda"), n) for n in (4, 2, 0))
         return a, b, c
 
     def grows(self) -> bool:
-        """Whether an eigenvalue is proved to have a positive real part: a root λ² that is not real and ≤ 0.
+        """Return whether an eigenvalue is proved to have a positive real part.
+
+        It has one if the cubic has a root λ² that is not real, or not ≤ 0.
         """
         a, b, c = self.coefficients
         discriminant = a**2 * b**2 - 4 * b**3 - 4 * a**3 * c + 18 * a * b * c - 27 * c**2
         return -1 in [sign_of_constant(e.expand()) for e in (a, b, c, discriminant)]
 
     def stability(self) -> tuple[int, str]:
-        """1 proved Lyapunov stable, modulo the spin of a body of revolution; -1 proved unstable; 0 neither.
-        """
+        """Return 1 if it is proved stable (modulo the spin, if it has one), -1 if unstable, 0 if neither."""
         if self.grows():
             return super().stability()
         if self.is_definite():
@@ -76,16 +76,16 @@ class InFrame(Model):
         return 0, ""
 
     def is_on_boundary(self) -> bool:
-        """A boundary is decided in one direction only."""
+        """Return False: a boundary is decided in one direction only."""
         return False
 
     def is_definite(self) -> bool | None:
-        """Whether the energy has a strict minimum, π3 fixed and but for the spin of a body of revolution."""
+        """Return whether the energy has a strict minimum; if the body spins, at fixed π3, modulo the spin."""
         found = [self.inertia_of_second_variation(far, self.spins) for far in (FAR, -FAR)]
         return None if None in found else any(s and not s[2] and not s[1] - self.spins for s in found)
 
     def is_least(self) -> bool | None:
-        """The same on the level of the Casimirs alone."""
+        """Return the same on the level of the Casimirs alone; None if it is not proved."""
         found = [s for far in (FAR, -FAR) if (s := self.inertia_of_second_variation(far))]
         if any(not s[2] and s[1] == self.spins for s in found):
             return True
@@ -93,8 +93,9 @@ class InFrame(Model):
 
     @cached_property
     def _turned_by_a_little(self) -> tuple[Matrix, Matrix, Matrix]:
-        """I, hat(g) and K of I θ̈ + g × θ̇ + K θ = 0, where a and b change by a × θ, and π by what keeps the
-        body turning at θ̇ in their frame.
+        """The tensor I, hat(g) and K of I θ̈ + g × θ̇ + K θ = 0.
+
+        a and b change by a × θ and b × θ, and π changes such that the body turns at θ̇ in their frame.
         """
         rate = self.turned.jacobian(self.coordinates).subs(self.place)
         inertia = rate[:, :3].inv()
@@ -105,7 +106,7 @@ class InFrame(Model):
 
 
 def rate_of(scene: Scene) -> Expr:
-    """ω0 of the orbit of a scene."""
+    """Return ω0 of the orbit of a scene."""
     given = {name: in_si(text, f"orbit {name}")[0] for name, text in scene.table["orbit"].items()}
     return given["rate"] if "rate" in given else sqrt(given["mu"] / given["radius"] ** 3)
 
@@ -118,7 +119,7 @@ Equations = tuple[Matrix, Matrix, Matrix, Expr]
 
 
 def _orbit(model: InFrame, scene: Scene, tensor: Matrix) -> Equations:
-    """π̇, the rate in the frame of the orbit, the absolute one, h; gravity has free rotors too."""
+    """Return π̇, the rate in the orbital frame, the absolute rate, and h; gravity acts on free rotors too."""
     n, r, rate = model.a, model.b, model.number(rate_of(scene))
     other = model.number(parse(scene.table.get("potential", "0").replace("none", "0")))
     omega, free = tensor.inv() * PI, [x for x in scene.rotors if x.momentum is not None]
@@ -130,14 +131,14 @@ def _orbit(model: InFrame, scene: Scene, tensor: Matrix) -> Equations:
 
 
 def _two_fields(model: InFrame, scene: Scene, tensor: Matrix) -> Equations:
-    """π̇, ω twice, h."""
+    """Return π̇, ω as both rates, and h."""
     U, omega = model.number(parse(scene.table["potential"])), tensor.inv() * PI
     turning = (PI + model.rotor).cross(omega) + _torque(model, U)
     return turning, omega, omega, PI.dot(omega) / 2 + U
 
 
 def _vehicle(model: InFrame, scene: Scene, tensor: Matrix) -> Equations:
-    """π̇ = (π + l) × Ω + p × v + w × γ, Ω twice, h; (π, p) is the matrix of T times (Ω, v)."""
+    """Return π̇ = (π + l) × Ω + p × v + w × γ, Ω as both rates, and h; (π, p) = matrix of T times (Ω, v)."""
     table = scene.table["vehicle"]
     mass = [parse(x) for x in table["mass"]]
     D = model.number(Matrix([[parse(x) for x in row] for row in table.get("coupling", [["0"] * 3] * 3)]))
@@ -151,13 +152,13 @@ def _vehicle(model: InFrame, scene: Scene, tensor: Matrix) -> Equations:
 
 
 def _torque(model: InFrame, U: Expr) -> Matrix:
-    """Σ a × ∂U/∂a."""
+    """Return the torque, the sum of a × ∂U/∂a over both directions."""
     a, b = (v.cross(Matrix([U.diff(x) for x in v])) for v in (model.a, model.b))
     return a + b
 
 
 def frame_names(model: InFrame) -> dict[str, Any]:
-    """Of I θ̈ + g × θ̇ + K θ = 0: the tensor I, g, K, and c2, c1, c0 of the sextic."""
+    """Return I, g and K of I θ̈ + g × θ̇ + K θ = 0, and c2, c1, c0 of the sextic, by their names."""
     g = Later(lambda: Matrix([model._turned_by_a_little[1][i, j] for i, j in ((2, 1), (0, 2), (1, 0))]))
     return {
         "tensor": Later(lambda: model._turned_by_a_little[0]), "gyroscopic": g,

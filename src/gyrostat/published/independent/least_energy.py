@@ -1,4 +1,4 @@
-"""What confirms a condition under internal damping: the energy is least on the orbit.
+"""Confirms a condition under internal damping: the energy is least on the orbit.
 
 Nothing here uses the bracket, the second variation or the criteria of the library.
 """
@@ -9,10 +9,10 @@ from .signs import first_term
 
 
 def is_least(model: Model) -> bool | None:
-    """Whether the energy has a strict minimum on the level of the Casimirs, along the spin constant.
+    """Return whether the energy has a strict minimum on the level of the Casimirs, up to the spin.
 
-    On so(3)* by its second order and fourth; of a body of revolution by what it is at least at each k3; else
-    by the signs of its squares. None where these do not decide, or it is one point.
+    On so(3)* its second and fourth orders decide; for a body of revolution, its least value at each k3;
+    otherwise the signs of its squares. None if these do not decide, or if the level is one point.
     """
     if isinstance(model, InFrame):
         return model.is_least()
@@ -26,10 +26,10 @@ def is_least(model: Model) -> bool | None:
 
 
 def _is_least_at_its_height(model: Model) -> bool | None:
-    """With M·k fixed the energy at k is at least U + (M·k − l·k)²/(2 k·Ik), a function of k3: its excess,
-    times 2 k·Ik, from the first power that does not vanish.
+    """Return whether the least energy at each k3 exceeds the energy of the point; None if it is not proved.
 
-    A pole is approached from inside.
+    If M·k is fixed, the energy at k is at least U + (M·k − l·k)²/(2 k·Ik), a function of k3. The excess,
+    times 2 k·Ik, is judged by its first power that does not vanish. A pole is approached from inside.
     """
     z, at = symbol("z"), model.place
     along = (PI + model.rotor).dot(K).subs(at) - model.rotor[2] * z

@@ -1,6 +1,6 @@
-"""The names of a formula at numbers, from Newton and Euler's equations and from three turns.
+"""Gives the names of a formula at numbers, by Newton and Euler's equations or by three turns.
 
-What confirms a counterexample.
+A counterexample is confirmed with them.
 """
 from collections.abc import Callable, Sequence
 from typing import Any
@@ -22,7 +22,7 @@ LAMDA = symbol("lamda")
 
 
 def names(scene: Scene, values: Values) -> Names:
-    """The names of a scene at numbers.
+    """Return the names of a scene at numbers.
 
     Functions of the motion differentiate along the field of Newton and Euler.
     """
@@ -32,7 +32,7 @@ def names(scene: Scene, values: Values) -> Names:
 
 
 def _functions() -> dict[str, Callable[..., Any]]:
-    """Vector algebra as everywhere; elliptic functions and the polhode from their differential equations."""
+    """Return vector algebra, and elliptic functions and the polhode from their differential equations."""
     return {**FUNCTIONS, "inverse": lambda a: a.adjugate() / a.det(),
             "polhode_period": lambda *x: _period(x[:3], x[3:]),
             **{name: (lambda u, m, i=i: _jacobi(u, m)[i]) for i, name in enumerate(("sn", "cn", "dn"))}}
@@ -80,7 +80,7 @@ def _at_equilibrium(model: Model) -> dict[str, Any]:
 
 
 def _along(x: Sequence[Expr], direction: Matrix) -> Callable[[Any], Any]:
-    """The derivative in a direction."""
+    """Return the derivative in a direction, as a function."""
     def one(f: Expr) -> Expr:
         return sum((f.diff(s) * rate for s, rate in zip(x, direction)), Integer(0))
     return lambda f: f.applyfunc(one) if isinstance(f, MatrixBase) else one(f)
@@ -90,7 +90,7 @@ def _in_motion(model: Model, scene: Scene) -> dict[str, Any]:
     x, M = model.coordinates, PI + model.rotor
 
     def bracket(f: Any, g: Expr) -> Any:
-        """{f, g} = ∇f · (M × ∂πg + k × ∂kg, k × ∂πg)."""
+        """Return {f, g} = ∇f · (M × ∂πg + k × ∂kg, k × ∂πg)."""
         c, d = (Matrix([g.diff(s) for s in part]) for part in (PI, K))
         return _along(x, Matrix([*(M.cross(c) + K.cross(d)), *K.cross(c)]))(f)
 
@@ -106,8 +106,9 @@ def _in_motion(model: Model, scene: Scene) -> dict[str, Any]:
 
 
 def _period(inertia: tuple[Expr, ...], momentum: tuple[Expr, ...]) -> Expr:
-    """4 ∫ dM2/abs(Ṁ2) over a quarter of the polhode, the other two components from the two conserved
-    quantities.
+    """Return the period 4 ∫ dM2/abs(Ṁ2), the integral taken over a quarter of the polhode.
+
+    The two conserved quantities give the other two components.
     """
     with mpmath.workdps(DIGITS):
         pairs = sorted((mpmath.mpf(Float(i, DIGITS)._mpf_), mpmath.mpf(Float(m, DIGITS)._mpf_))
@@ -128,7 +129,7 @@ def _period(inertia: tuple[Expr, ...], momentum: tuple[Expr, ...]) -> Expr:
 
 
 def _jacobi(u: Expr, m: Expr) -> list[Expr]:
-    """y(u) of y1' = y2 y3, y2' = −y1 y3, y3' = −m y1 y2, y(0) = (0, 1, 1), by Taylor steps."""
+    """Integrate y1' = y2 y3, y2' = −y1 y3, y3' = −m y1 y2 from y(0) = (0, 1, 1) to u by Taylor steps."""
     with mpmath.workdps(30):
         step, m = (mpmath.mpf(Float(x, 30)._mpf_) for x in (u / 48, m))
         y = [mpmath.mpf(x) for x in (0, 1, 1)]
@@ -144,9 +145,9 @@ def _jacobi(u: Expr, m: Expr) -> list[Expr]:
 
 
 def number(value: Expr, scene: Scene, values: Values) -> Any:
-    """A value of these names at the instant of the counterexample.
+    """Return a value of these names at the instant of the counterexample.
 
-    Exact where it is rational, else to 30 digits.
+    It is exact if it is rational, otherwise it has 30 digits.
     """
     place = (
         {Symbol("t"): Integer(0)}

@@ -1,8 +1,8 @@
-"""Motions near an equilibrium, from Newton and Euler's equations: how their frequencies change with size.
+"""Expands motions near an equilibrium, and how their frequencies change with their size (Lindstedt).
 
-x(z1, w1, z2, w2), z_j = √ρ_j exp(iφ_j) and w_j its conjugate, is put into the equations for π and k, with
-rates of φ_j that depend on ρ1 and ρ2 (Lindstedt, Poincaré). Nothing here uses a chart of the orbit, a
-bracket or a normal form of the energy.
+x(z1, w1, z2, w2), where z_j = √ρ_j exp(iφ_j) and w_j is its conjugate, is put into Newton and Euler's
+equations for π and k, with rates of φ_j that depend on ρ1 and ρ2 (Lindstedt, Poincaré). Nothing here uses a
+chart of the orbit, a bracket or a normal form of the energy.
 """
 from collections.abc import Sequence
 from typing import Any
@@ -29,9 +29,9 @@ from .power_series import (
 
 
 class Motion:
-    """The motions near an equilibrium to an order in z and w; inside own_precision.
+    """The motions near an equilibrium to an order in z and w, computed inside own_precision.
 
-    Ratio: of the frequencies where they are as 1 to 2 or 1 to 3, else 0.
+    ratio is 2 or 3 if the frequencies are as 1 to 2 or 1 to 3, otherwise 0.
     """
 
     def __init__(self, model: Model, coefficients: Sequence[Expr], order: int, ratio: int = 0):
@@ -57,7 +57,7 @@ class Motion:
             self._solve(degree)
 
     def _projection(self, n: int) -> Any:
-        """On the n-th eigenvector, along the others and the two of 0."""
+        """Return the projection on the n-th eigenvector, along the others and the kernel."""
         value, partner = self.values[n], self.values[n ^ 1]
         other = self.values[n ^ 2]
         shape = self.A * (self.A - identity() * partner) * (self.A * self.A - identity() * other**2)
@@ -68,7 +68,7 @@ class Motion:
             part[monomial] = part.get(monomial, acb(0)) + c
 
     def _solve(self, degree: int) -> None:
-        """(Λ − A) P = f(x) − Σ (∂x/∂z_j)(rates so far), for each monomial of a degree."""
+        """Solve (Λ − A) P = f(x) − Σ (∂x/∂z_j)(rates so far) for each monomial of a degree."""
         field, carried = self._field(degree), self._carried(degree)
         for m in of_degree(degree):
             G = acb_mat([[f.get(m, acb(0)) - c.get(m, acb(0))] for f, c in zip(field, carried)])
@@ -89,7 +89,7 @@ class Motion:
                 self._put(m, self._back([-c.get(m, acb(0)) for c in casimirs]))
 
     def _field(self, degree: int) -> list[Series]:
-        """(π + l) × ω + k × ∇U and k × ω."""
+        """Return the field, (π + l) × ω + k × ∇U and k × ω."""
         pi, k = self.x[:3], self.x[3:]
         omega = [{m: c * i for m, c in part.items()} for part, i in zip(pi, self.inverse)]
         slope = [self._composed(terms, degree) for terms in self.slopes]
@@ -107,7 +107,7 @@ class Motion:
         return found
 
     def _carried(self, degree: int) -> list[Series]:
-        """What the rates of lower degree make of the terms that are known."""
+        """Return what the rates of lower degree make of the terms that are known."""
         found: list[Series] = []
         for part in self.x:
             total: Series = {}
@@ -121,16 +121,16 @@ class Motion:
 
     @property
     def momentum(self) -> list[Series]:
-        """M = π + l."""
+        """The momentum M = π + l."""
         return [added(part, {START: l}) for part, l in zip(self.x, self.rotor)]
 
     def _casimirs(self, degree: int) -> list[Series]:
-        """(π + l)·k and k·k."""
+        """Return the Casimirs (π + l)·k and k·k."""
         k = self.x[3:]
         return [dot(self.momentum, k, degree), dot(k, k, degree)]
 
     def _back(self, wanted: Sequence[Any]) -> list[Any]:
-        """Along the family of equilibria, so that the Casimirs change by these."""
+        """Return the step along the family of equilibria by which the Casimirs change as wanted."""
         k, M = ([part[START] for part in vector] for vector in (self.x[3:], self.momentum))
         gradients = acb_mat([[*k, *M], [acb(0)] * 3 + [2 * x for x in k]])
         along = self.still * gradients.transpose()
@@ -138,7 +138,7 @@ class Motion:
 
     @cached_property
     def energies(self) -> list[Any]:
-        """Of the two oscillations, by ρ1 and ρ2."""
+        """The energies of the two oscillations, divided by ρ1 and ρ2."""
         pi = self.x[:3]
         kinetic = dot(pi, [{m: c * i / 2 for m, c in part.items()} for part, i in zip(pi, self.inverse)], 2)
         energy = added(kinetic, self._composed(Poly(self.model.U, *K).terms(), 2))
@@ -146,24 +146,24 @@ class Motion:
 
     @property
     def signs(self) -> list[int]:
-        """Of the energies."""
+        """The signs of the energies."""
         return [1 if e.real > 0 else -1 for e in self.energies]
 
     @cached_property
     def bent(self) -> tuple[Any, Any, Any]:
-        """Of the energy, by actions of the sign of the energies: how the rates change."""
+        """The energy's coefficients in actions with the sign of the energies, from how the rates change."""
         (a, b), (_, c) = ([turning[pair(n)] / acb(0, 1) for n in (0, 1)] for turning in self.turning[::2])
         first, second = self.sizes
         return a / first / 2, b / second, c / second / 2
 
     @cached_property
     def sizes(self) -> list[Any]:
-        """Actions by ρ1 and ρ2."""
+        """The actions of the two oscillations, divided by ρ1 and ρ2."""
         return [e / rate for e, rate in zip(self.energies, self.rates)]
 
     @cached_property
     def twists(self) -> list[Any]:
-        """D4 and, to order 5, D6: where the energies cancel, of the actions Ω2 and −Ω1."""
+        """D4 and, from order 5 on, D6: at the actions Ω2 and −Ω1, where the energies cancel."""
         one, mixed, two = self.bent
         first, second = actions = self.rates[1], -self.rates[0]
         found = [one * first**2 + mixed * first * second + two * second**2]
@@ -179,12 +179,12 @@ class Motion:
 
     @property
     def amplitude(self) -> Any:
-        """Of what z2³ does to z1, in the energy where D4 is taken."""
+        """The size of the term by which z2³ drives z1, in the energy, at the actions where D4 is taken."""
         (one, two), (fast, slow) = ([abs(x) for x in both] for both in (self.sizes, self.rates))
         return 2 * abs(self.driving) * one * (slow / one).sqrt() * (fast / two) * (fast / two).sqrt()
 
     def _second_actions(self, rho: Sequence[Any]) -> list[Any]:
-        """What the actions have of degree 2 in ρ, from areas that the motions enclose.
+        """Return the terms of degree 2 in ρ of the actions, from areas that the motions enclose.
 
         Ω(δ, δ') = δM·θ' − δ'M·θ − M·(θ × θ') where δk = k × θ.
         """
@@ -203,34 +203,34 @@ class Motion:
 
 
 def resonant(ratio: int) -> list[Monomial]:
-    """What turns with z1, w1, z2 and w2."""
+    """Return the monomials that turn at the same rate as z1, w1, z2 and w2."""
     return [(0, 0, ratio, 0), (0, 0, 0, ratio), (1, 0, 0, ratio - 1), (0, 1, ratio - 1, 0)]
 
 
 def ball(x: Expr) -> Any:
-    """A rational number, another to 80 digits."""
+    """Return a ball: exact for a rational number, to 80 digits for another."""
     if x.is_Rational:
         return acb(fmpq(int(x.p), int(x.q)))
     return acb(arb(f"{x.evalf(90)} +/- {abs(x.evalf(90)) / 10**80}"))
 
 
 def identity() -> Any:
-    """Of six rows."""
+    """Return the identity matrix of six rows."""
     return acb_mat([[acb(int(i == j)) for j in range(6)] for i in range(6)])
 
 
 def column_of(x: Any) -> list[Any]:
-    """Its entries."""
+    """Return the entries of a column."""
     return [row[0] for row in x.tolist()]
 
 
 def greatest_column(x: Any) -> list[Any]:
-    """The column of the greatest entry."""
+    """Return the column of the greatest entry."""
     columns = [list(column) for column in zip(*x.tolist())]
     return max(columns, key=lambda column: max(float(abs(c).mid()) for c in column))
 
 
 def first_of(x: Any, column: Sequence[Any]) -> Any:
-    """How often a vector along a column has it."""
+    """Return the factor by which a vector along a column is that column."""
     row = max(range(6), key=lambda n: float(abs(column[n]).mid()))
     return x[row, 0] / column[row]

@@ -1,13 +1,13 @@
-"""The separatrix of a free body, against Euler's equations."""
+"""Tests the separatrix of a free body against Euler's equations."""
 import mpmath
 
 from .counterexample import DIGITS
 
 
 def separatrix_residual() -> mpmath.mpf:
-    """For I = (1, 2, 3), abs(M)² = 1 = 2 E I2.
+    """Return how far (a sech, tanh, c sech)(μt) is from Euler's equations, at three times.
 
-    How far (a sech, tanh, c sech)(μt) is from Euler's equations at three times.
+    The body has I = (1, 2, 3), and abs(M)² = 1 = 2 E I2.
     """
     mp = mpmath
     with mp.workdps(DIGITS):

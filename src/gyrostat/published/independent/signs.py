@@ -1,4 +1,4 @@
-"""Signs at numbers: of the squares of a form, of a free gyrostat's energy, of a function's first term."""
+"""Finds signs at numbers: of a form's squares, a free gyrostat's energy, a function's first term."""
 from collections.abc import Sequence
 
 from sympy import Expr, Matrix
@@ -8,7 +8,7 @@ from ...notation import symbol
 
 
 def squares_of(form: Matrix) -> tuple[int, int, int] | None:
-    """Numbers of positive, zero and negative squares; None where a sign is not proved."""
+    """Return the numbers of positive, zero and negative squares; None if a sign is not proved."""
     signs = [sign_of_constant(c.expand()) for c in form.charpoly().all_coeffs()]
     if None in signs:
         return None
@@ -20,12 +20,14 @@ def squares_of(form: Matrix) -> tuple[int, int, int] | None:
 
 def signs_on_sphere(inertia: Sequence[Expr], momentum: Sequence[Expr], pi: Sequence[Expr]
                     ) -> list[int | None]:
-    """The signs of the two squares of the energy of a free gyrostat about an equilibrium on |M| = G; of M
-    along an axis, where a square is 0, that of the fourth order.
+    """Return the signs of the two squares of a free gyrostat's energy about an equilibrium on |M| = G.
 
-    None where the sphere is a point. A = I⁻¹ − ν, ω = ν M, restricted to the plane across M, has the
-    determinant M·adj(A) M/G² and the trace tr A − M·A M/G². Where the first is 0, the third order along the
-    kernel u = adj(A) M is u·I⁻¹M = det A G², up to a factor: the energy rises and falls where that is not 0.
+    If M is along an axis and a square is 0, the fourth order gives its sign. The list is empty if the sphere
+    is a point; an entry is None if its sign is not decided.
+
+    A = I⁻¹ − ν, where ω = ν M, has on the plane across M the determinant M·adj(A) M/G² and the trace
+    tr A − M·A M/G². If the former is 0, the third order along the kernel u = adj(A) M is u·I⁻¹M = det A G²,
+    up to a factor: if that is not 0, the energy rises and falls.
     """
     square = sum(m**2 for m in momentum)
     if sign_of_constant(square) == 0:
@@ -45,9 +47,10 @@ def signs_on_sphere(inertia: Sequence[Expr], momentum: Sequence[Expr], pi: Seque
 
 
 def first_term(f: Expr, k3: Expr, is_at_pole: bool, least: int) -> tuple[int, int | None]:
-    """Power and sign of the first term, from a power on, of a function of z about k3; sign None: not proved.
+    """Return the power and the sign of the first term of a function of z about k3, from a power on.
 
-    (0, 0): it is 0 throughout; sign 0: beyond the sixth power. A pole is approached from inside.
+    (0, 0) means that the function is 0 throughout. The sign is None if it is not proved, and 0 if the term
+    lies beyond the sixth power. A pole is approached from inside.
     """
     x = symbol("x")
     shifted = f.subs(symbol("z"), k3 * (1 - x) if is_at_pole else k3 + x).expand()

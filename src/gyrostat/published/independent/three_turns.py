@@ -1,4 +1,4 @@
-"""Kinematics at numbers, from the product of three turns at angles φ(t), θ(t), ψ(t)."""
+"""Derives the kinematics at numbers from the product of three turns at angles φ(t), θ(t), ψ(t)."""
 from typing import Any
 
 from sympy import Expr, Float, Matrix, Symbol, cos, sin
@@ -10,7 +10,7 @@ from .counterexample import DIGITS, Values
 
 
 def turning(scene: Scene, values: Values) -> dict[str, Any]:
-    """Kinematics from the product of three turns at angles φ(t), θ(t), ψ(t), to 50 digits."""
+    """Return the names of the kinematics at numbers, to 50 digits, from the product of three turns."""
     t, zero = Symbol("t"), Float(0, DIGITS)
     given = {str(s): Float(v, DIGITS) for s, v in values.items()}
     inertia = [Float(moment.subs(dict(values)), DIGITS) for moment in scene.body.moments]
@@ -51,7 +51,7 @@ def turning(scene: Scene, values: Values) -> dict[str, Any]:
     J = Matrix(3, 3, lambda i, j: given.get(scene.derived(f"J{min(i, j) + 1}{max(i, j) + 1}"), zero))
 
     def torque(momentum: Matrix) -> Matrix:
-        """The rate in space of a momentum that is given in the body, now, in body components."""
+        """Return the rate in space, at t = 0 and in body components, of a momentum given in the body."""
         now, turning_now, here, rate = (x.subs(t, 0) for x in (R, R.diff(t), momentum, momentum.diff(t)))
         return now.T * (turning_now * here + now * rate)
 

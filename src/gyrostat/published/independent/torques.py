@@ -1,4 +1,4 @@
-"""Permanent rotations in a field by Newton and Euler's torques at numbers.
+"""Finds permanent rotations in a field by Newton and Euler's torques at numbers.
 
 Nothing here uses a formula of the cone, or the amended potential.
 """
@@ -12,16 +12,17 @@ from .counterexample import PI, K, Model
 
 
 def cone_names(model: Model, turned: bool) -> Mapping[str, Any]:
-    """The torque of ω = omega k is omega² a + omega b + c: three vectors across k, which are to cancel.
+    """Return the names of Staude's cone and of the rate along it.
 
-    Turned: the body has a rotor.
+    The torque of ω = omega k is omega² a + omega b + c: three vectors across k that have to cancel. `turned`
+    tells whether the body has a rotor.
     """
     return {"staude_cone": Later(lambda: _cone(model, turned)),
             "staude_rate": Later(lambda: _rate(model, turned))}
 
 
 def _torques(model: Model) -> list[Matrix]:
-    """a, b, c, from the torques of the rates −1, 0 and 1."""
+    """Return a, b and c, from the torques of the rates −1, 0 and 1."""
     along = [moment * x for moment, x in zip(model.inertia, K)]
     back, still, ahead = (model.field[:3, :].subs(dict(zip(PI, [rate * x for x in along])))
                           for rate in (-1, 0, 1))
@@ -30,7 +31,7 @@ def _torques(model: Model) -> list[Matrix]:
 
 
 def _cone(model: Model, turned: bool) -> Expr:
-    """Resultant of the two quadratics across k, or without a rotor what two torques make together."""
+    """Return the resultant of the two quadratics across k; without a rotor, the product a × c across k."""
     a, b, c = _torques(model)
     return _along(a, c) ** 2 - _along(a, b) * _along(b, c) if turned else _along(a, c)
 
@@ -41,18 +42,18 @@ def _rate(model: Model, turned: bool) -> Expr:
 
 
 def _along(a: Matrix, b: Matrix) -> Expr:
-    """a × b of two vectors across k, in units of k."""
+    """Return the vector product of two vectors across k, in units of k."""
     return cancel(K.dot(a.cross(b)) / K.dot(K))
 
 
 def amended_names(model: Model) -> Mapping[str, Any]:
-    """Of the second variation of the energy, as it is left when the momenta have given way."""
+    """Return trace and determinant of the energy's second variation, minimised over the momenta."""
     return {"amended_trace": Later(lambda: _left(model)[0]),
             "amended_determinant": Later(lambda: _left(model)[1])}
 
 
 def _left(model: Model) -> tuple[Expr, Expr]:
-    """Trace and determinant of D²(h + ν·C) on δk ⟂ k, least in δπ with δ(M·k) = 0.
+    """Return trace and determinant of D²(h + ν·C) on δk ⟂ k, least in δπ with δ(M·k) = 0.
 
     δπ = I (x − y k) with x = −nu1 δk and y so that the constraint holds.
     """

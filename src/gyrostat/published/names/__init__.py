@@ -1,6 +1,6 @@
-"""What a formula may name, as the library derives it.
+"""Derives what a formula may name.
 
-`derived_names` has all names of a scene. Those of a few subjects are apart: `kinematics` of Euler's angles,
-`jacobi` of elliptic functions, `rotations` of permanent rotations, `windows` of normal forms, `frames` of
-satellites and vehicles.
+`derived_names` has all names of a scene. A few subjects have modules of their own: `kinematics` for Euler's
+angles, `jacobi` for elliptic functions, `rotations` for permanent rotations, `windows` for normal forms, and
+`frames` for satellites and vehicles.
 """

@@ -1,6 +1,4 @@
-"""Everything that a formula may name, as the library derives it from the bracket, the Hamiltonian and the
-kinematics.
-"""
+"""Derives everything that a formula may name from the bracket, the Hamiltonian and the kinematics."""
 from collections.abc import Callable, Iterator, Mapping
 from typing import Any
 
@@ -23,9 +21,9 @@ from .windows import normal_form_names
 
 
 class Names(Mapping[str, Any]):
-    """Names of a scene; what is Later is derived when it is first asked for.
+    """The names of a scene, with the values of `at` inserted.
 
-    The values of `at` are inserted.
+    What is Later is derived when it is first asked for.
     """
 
     def __init__(self, meanings: Mapping[str, Any], at: Mapping[Symbol, Expr]):
@@ -51,15 +49,15 @@ class Names(Mapping[str, Any]):
 
 
 def names(scene: Scene, at: Mapping[Symbol, Expr]) -> Names:
-    """What each name of a scene stands for, with the values of `at` inserted."""
+    """Return what each name of a scene stands for, with the values of `at` inserted."""
     derived = turning(scene) if "angles" in scene.table else _phase_space(scene, at)
     return Names(with_letters({**FUNCTIONS, **derived}, {name: symbol(name) for name in scene.letters}), at)
 
 
 def with_letters(derived: Mapping[str, Any], own: Mapping[str, Any]) -> dict[str, Any]:
-    """What is derived, and the letters of the paper before it.
+    """Return what is derived, behind the letters of the paper.
 
-    What has one of these letters is derived_C where C is a moment of the paper.
+    A derived quantity with such a letter gets a prefix: derived_C if C is a moment of the paper.
     """
     hidden = {DERIVED + name: derived[name] for name, value in own.items()
               if name in derived and not (isinstance(value, Symbol) and derived[name] == value)}
@@ -67,7 +65,7 @@ def with_letters(derived: Mapping[str, Any], own: Mapping[str, Any]) -> dict[str
 
 
 def is_zero(expression: Expr) -> bool:
-    """Whether an expression vanishes identically."""
+    """Return whether an expression vanishes identically."""
     return not Ring([expression]).numerator(expression)
 
 
@@ -87,7 +85,7 @@ FUNCTIONS: Mapping[str, Any] = {
 
 
 def _phase_space(scene: Scene, at: Mapping[Symbol, Expr]) -> dict[str, Any]:
-    """Names on so(3)*, e(3)* or in two directions, all at the equilibrium where there is one."""
+    """Return the names on so(3)*, on e(3)* or in two directions; at an equilibrium, their values there."""
     system, body, potential = scene.system, scene.body, scene.potential
     coordinates, U = system.space.coordinates, symbol(scene.derived("U"))
     slopes = (0, 0, 0, *(system.potential.gradient() if system.potential else ()))
@@ -96,7 +94,7 @@ def _phase_space(scene: Scene, at: Mapping[Symbol, Expr]) -> dict[str, Any]:
         return ImmutableMatrix([f.diff(x) + f.diff(U) * slope for x, slope in zip(coordinates, slopes)])
 
     def along(direction: ImmutableMatrix) -> Callable[[Any], Any]:
-        """The derivative in a direction, of functions of the coordinates and the jet of U."""
+        """Return the derivative in a direction, of functions of the coordinates and the jet of U."""
         def one(f: Expr) -> Expr:
             total = sum((slope * rate for slope, rate in zip(gradient(f), direction)), Integer(0))
             for d in f.free_symbols:

@@ -1,4 +1,4 @@
-"""What a formula may name of a body in two directions, as the library derives it."""
+"""Derives what a formula may name about a body in two directions."""
 from collections.abc import Mapping
 from typing import Any
 
@@ -14,7 +14,7 @@ from .kinematics import Later
 
 
 def frame_names(system: System) -> Mapping[str, Any]:
-    """The directions, the energy, and omega: of a satellite the absolute rate."""
+    """Return the directions, the energy, and omega, which for a satellite is the absolute rate."""
     potential, body = system.potential, system.body
     assert isinstance(potential, CoupledPotential)
     coordinates = system.space.coordinates
@@ -30,7 +30,7 @@ def frame_names(system: System) -> Mapping[str, Any]:
 
 
 def frame_names_at(eq: Equilibrium) -> dict[str, Any]:
-    """Of I θ̈ + g × θ̇ + K θ = 0: K, g, the tensor I, and c2, c1, c0 of the sextic."""
+    """Return K, g and I of I θ̈ + g × θ̇ + K θ = 0, and c2, c1, c0 of the sextic, by their names."""
     coefficients = {f"c{2 - n}": Later(lambda n=n: linearize(eq).coefficients[n])  # type: ignore[misc]
                     for n in range(3)}
     return {"stiffness": Later(lambda: orientation_form(eq).stiffness),

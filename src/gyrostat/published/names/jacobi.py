@@ -1,6 +1,6 @@
-"""Jacobi's elliptic functions sn, cn, dn of (u, m) in formulas, m = κ², with derivatives and values.
+"""Defines Jacobi's elliptic functions sn, cn, dn of (u, m) for formulas, where m = κ².
 
-The derivatives are those along u.
+They have derivatives along u, and values at numbers.
 """
 from functools import lru_cache
 from typing import Any
@@ -15,7 +15,7 @@ LARGEST = 1000
 
 @lru_cache(maxsize=4096)
 def _value(letters: str, u: Expr, m: Expr, prec: int) -> Expr:
-    """The number; SymPy asks for it many times over."""
+    """Return the value at numbers; it is kept, because SymPy asks for it many times over."""
     with mpmath.workprec(prec + 20):
         if max(abs(complex(a.evalf(5))) for a in (u, m)) > LARGEST:
             raise ScopeError(f"sn, cn and dn are computed of arguments up to {LARGEST}: give smaller numbers")
@@ -42,12 +42,12 @@ class _Jacobi(Function):
 
 
 class sn(_Jacobi):
-    """sn' = cn dn."""
+    """The sine of the amplitude: sn' = cn dn."""
 
 
 class cn(_Jacobi):
-    """cn' = −sn dn."""
+    """The cosine of the amplitude: cn' = −sn dn."""
 
 
 class dn(_Jacobi):
-    """dn' = −m sn cn."""
+    """The delta of the amplitude: dn' = −m sn cn."""

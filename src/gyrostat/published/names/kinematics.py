@@ -1,4 +1,4 @@
-"""Names of a formula about Euler angles: functions of the angles and their first two derivatives."""
+"""Derives the names of a formula about Euler angles, as functions of the angles and two derivatives."""
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
@@ -27,7 +27,7 @@ class Later:
 
 
 def turning(scene: Scene) -> dict[str, Any]:
-    """Names of the kinematics: functions of the angles and their first two derivatives."""
+    """Return the names of the kinematics: functions of the angles and their first two derivatives."""
     convention = scene.table["angles"]
     body, potential, free = scene.body, scene.potential, scene.table.get("vertical")
     second = tuple(map(symbol, ("phi_ddot", "theta_ddot", "psi_ddot")))
@@ -49,7 +49,7 @@ def turning(scene: Scene) -> dict[str, Any]:
         return sum((f.diff(x) * rate for x, rate in pairs), 0 * f)
 
     def torque() -> ImmutableMatrix:
-        """The rate of the momentum in space, in body components."""
+        """Return the rate of the momentum in space, in body components."""
         return R.T * dt(R * pi)
 
     unit = [ImmutableMatrix([int(i == j) for j in range(3)]) for i in range(3)]

@@ -1,4 +1,4 @@
-"""What a formula may name of permanent rotations in a field, as the library derives it."""
+"""Derives what a formula may name about permanent rotations in a field."""
 from collections.abc import Mapping
 from typing import Any
 
@@ -17,27 +17,27 @@ from .kinematics import Later
 
 
 def cone_names(system: System) -> Mapping[str, Any]:
-    """Staude's cone, 0 in the directions of the rotations, and omega² along it, with a rotor omega."""
+    """Return Staude's cone, 0 in the directions of rotations, and omega² along it; with a rotor, omega."""
     return {"staude_cone": Later(lambda: staude_cone(system).polynomial),
             "staude_rate": Later(lambda: staude_cone(system).rate)}
 
 
 def amended_names(eq: Equilibrium) -> Mapping[str, Any]:
-    """Trace and determinant of the second variation of the amended potential, on the plane across k."""
+    """Return trace and determinant of the amended potential's second variation, on the plane across k."""
     curved = _Curved(eq)
     return {"amended_trace": Later(lambda: curved.trace),
             "amended_determinant": Later(lambda: curved.determinant)}
 
 
 class _Curved:
-    """D²U_c − (k·∇U_c) on the sphere abs(k) = 1, at an equilibrium."""
+    """The form D²U_c − (k·∇U_c) on the sphere abs(k) = 1, at an equilibrium."""
 
     def __init__(self, eq: Equilibrium):
         self.eq, self.k = eq, Matrix(eq.point[3:])
 
     @cached_property
     def matrix(self) -> Matrix:
-        """Of U by its jet, of the rest of U_c by derivatives at constant C1."""
+        """Its matrix: the part of U by its jet, the rest of U_c by derivatives at constant C1."""
         system = self.eq.system
         assert system.potential is not None
         twist = amended_potential(system).expression - system.potential.expression
@@ -55,10 +55,10 @@ class _Curved:
 
     @cached_property
     def trace(self) -> Expr:
-        """On the plane across k."""
+        """The trace on the plane across k."""
         return lowest_terms(self.matrix.trace() - self.k.dot(self.matrix * self.k))
 
     @cached_property
     def determinant(self) -> Expr:
-        """On the plane across k."""
+        """The determinant on the plane across k."""
         return lowest_terms(dot(self.k, [dot(row, self.k) for row in adjugate(self.matrix.tolist())]))

@@ -1,4 +1,4 @@
-"""What a formula may name of the normal form at an equilibrium, as the library derives it."""
+"""Derives what a formula may name about the normal form at an equilibrium."""
 from collections.abc import Mapping
 from typing import Any
 
@@ -12,7 +12,7 @@ from .kinematics import Later
 
 
 def normal_form_names(eq: Equilibrium, at: Mapping[Symbol, Expr]) -> Mapping[str, Any]:
-    """Signed frequencies, coefficients of the actions, D4 and D6, at the numbers of `at`."""
+    """Return signed frequencies, coefficients of the actions, D4 and D6, at the numbers of `at`."""
     values = {s.name: value for s, value in at.items() if value.is_number}
 
     def form(degree: int = 4) -> NormalForm:

@@ -85,7 +85,7 @@ class Integration:
                  method: str | None = None):
         self.name = method or ("heyoka" if find_spec("heyoka") else "DOP853")
         if self.name not in METHODS:
-            raise ArgumentError(f"method = {method!r} is none that there is: use {' or '.join(METHODS)}, "
+            raise ArgumentError(f"method = {method!r} is not known: use {' or '.join(METHODS)}, "
                                 "or None")
         self.scene, self.tolerance, self.error = scene, WORTHLESS if tolerance is None else tolerance, 0.0
         marker = tuple(Dummy(f"a{i}") for i in (1, 2, 3))
