@@ -82,9 +82,10 @@ def _solve(given: argparse.Namespace, asked: Asked, labels: Sequence[str], numbe
         return 0
     unit, said = unit_of(name), ""
     scale = [sentence(symbol(name), f" is in {unit}.")] if unit and units_given(given) else []
+    sets: Sequence[Solved] = found
     if not given.full:
-        found, said = brief(found, lambda *shown: _shown(*shown, out.width).count("\n") <= FEW)
-    out("\n".join(filter(None, (_shown(found, said, out.width), *(
+        sets, said = brief(found, lambda few, told: _shown(few, told, out.width).count("\n") <= FEW)
+    out("\n".join(filter(None, (_shown(sets, said, out.width), *(
         text(more, out.width) for more in (scale, without) if more)))))
     return 0
 

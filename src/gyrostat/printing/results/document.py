@@ -53,9 +53,8 @@ def whole_blocks(scene: System, found: Sequence[Block]) -> list[Block]:
 def conditions_blocks(report: Report) -> list[Block]:
     """Write the conditions of one equilibrium, without their derivation."""
     eq = report.equilibrium
-    exists = [existence(d, eq.at) for d in eq.existence() if d.free_symbols]
-    if exists:
-        exists = [sentence("It exists if:"), *exists]
+    domains = [existence(d, eq.at) for d in eq.existence() if d.free_symbols]
+    exists: list[Block] = [sentence("It exists if:"), *domains] if domains else []
     return [Heading(title_of(eq)), *tilt_blocks(eq), *family_blocks(eq), *exists,
             *criterion_blocks("Necessary", report.necessary, eq.at, "necessary"),
             *short_blocks(report), *criterion_blocks("Sufficient", report.sufficient, eq.at, "sufficient"),

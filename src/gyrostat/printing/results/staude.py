@@ -7,6 +7,7 @@ from sympy import Add, Expr, S, oo, sqrt
 from ...algebra.rings.readable import readable
 from ...equilibria.curves.arc import Arc, End, Piece
 from ...equilibria.curves.cone_curves import TAU
+from ...equilibria.curves.rate_curves import RateCurve
 from ...equilibria.curves.staude import StaudeCone
 from ...equilibria.relative_equilibrium import RelativeEquilibrium
 from ...notation import symbol
@@ -47,7 +48,7 @@ def _parameter(arc: Arc) -> tuple[Any, ...]:
     """Say what the parameter of an arc is."""
     unit = ("|", VECTOR, "| = 1")
     multiplier = (", where ", SIGMA, " is the multiplier of ", *unit, ".")
-    if not arc.both_ways:
+    if isinstance(arc.curve, RateCurve):
         told = ("; ", *multiplier[1:]) if any(x.has(SIGMA) for x in arc.k) else (".",)
         return "Its parameter is the rate ", OMEGA, *told
     if arc.parameter == TAU:

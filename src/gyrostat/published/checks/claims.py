@@ -23,7 +23,7 @@ def condition(r: Reading) -> Outcome | Doubt:
     if not isinstance(s.printed, str):
         raise PublishedError("a condition is one text: join its comparisons with and")
     derived = r.claim.derived(quantity)
-    never = s.printed == NEVER                           # a method that proves nothing
+    never = s.printed == NEVER                             # a method that proves nothing
     margins = [] if never else [(r.finish(margin), strict)
                                 for margin, strict in comparisons(s.printed, r.own)]
     if quantity == "existence":                            # what is divided by is not zero
