@@ -18,6 +18,14 @@ def test_what_is_near_is_named(capsys, typed, near):
     assert said.endswith(f"; did you mean {near}?\n") if near else "did you mean" not in said
 
 
+def test_an_option_of_another_verb_is_not_asked_for_again(capsys):
+    """The verb has no such option, and others have: the message says that."""
+    with pytest.raises(SystemExit):
+        main(["verify", "--set", "I1=1"])
+    said = " ".join(capsys.readouterr().err.split())
+    assert "did you mean" not in said and "--set is an option of other verbs" in said
+
+
 def test_a_file_that_cannot_be_read(capsys, tmp_path):
     """In words, without the number of the system's error; what to do about it is of use."""
     (tmp_path / "latin.toml").write_bytes(b"\xe9")

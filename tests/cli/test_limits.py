@@ -88,7 +88,7 @@ def test_decide_gives_the_others(capsys):
 def test_no_class_name_is_prose(capsys):
     """What is not solved for says so in words; LaTeX has the reason, with its signs escaped.
 
-    The number of ω is enough: k3 may stay open.
+    All names of the relation of l need numbers, I3 too; k3 may stay open.
     """
     top = ["conditions", "--potential", "exp(k3)", "--solve-for", "l"]
     for form in ("text", "latex"):
@@ -96,7 +96,7 @@ def test_no_class_name_is_prose(capsys):
         out = " ".join(capsys.readouterr().out.split())
         assert "Error" not in out
         assert "E3 ties l to the other names" in out
-        assert "give numbers for I1, omega; k3 may stay open" in out
+        assert "give numbers for I1, I3, omega; k3 may stay open" in out
     assert main(["conditions", "--potential", "m0*k3", "--solve-for", "pi3_0", "--format", "latex"]) == 0
     assert r"E3 has no parameter pi3\_0" in capsys.readouterr().out
 

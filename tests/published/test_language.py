@@ -87,6 +87,7 @@ FORMULA = ('[[formula]]\nkey = "a"\nwhere = "(1)"\nquantity = "p"\nprinted = "{}
     (GOOD + FORMULA.format("sn(vector_pi, 1)"), "sn takes numbers"),
     (GOOD + FORMULA.format("sqrt(jacobian)"), "takes one number"),
     (GOOD + FORMULA.format("entry(jacobian**9, 1, 1)"), "powers 2 and 3"),
+    (GOOD + FORMULA.format("pi1/B"), "; B is the matrix of the bracket here"),
     (GOOD + FORMULA.format("(p + 1)**100"), "of others to 12"),
     (GOOD + FORMULA.format("round").replace('"p"', '"stability"').replace("identity", "statement"),
      "orbitally stable"),

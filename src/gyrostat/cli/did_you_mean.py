@@ -12,7 +12,10 @@ _UNKNOWN = re.compile(r"unrecognized arguments: ([^\s=]+)|invalid choice: '([^']
 
 
 class Parser(argparse.ArgumentParser):
-    """A parser of argparse that asks "did you mean", if a similar word is known."""
+    """A parser of argparse that asks "did you mean", if a similar word is known.
+
+    If another verb has the option that was typed, the message says so.
+    """
 
     def error(self, message: str) -> NoReturn:
         """End with status 2, the usage and the message on standard error."""
@@ -20,6 +23,8 @@ class Parser(argparse.ArgumentParser):
         word = (unknown[1] or unknown[2]) if unknown else ""
         alike = [known for known in _words(self) if known.startswith("-") == word.startswith("-")]
         near = "".join(f"; did you mean {known}?" for known in get_close_matches(word, alike, 1))
+        if word in alike:
+            near = f"; {word} is an option of other verbs, see gyrostat VERB --help"
         self.print_usage(sys.stderr)
         self.exit(2, fitted(f"{self.prog}: error: {message}{near}", "  ") + "\n")
 

@@ -82,6 +82,9 @@ def stabilizing_set(report: Report, name: str, values: Mapping[str, Any] | None 
     if tied and len(eq.eliminated) > 1:
         raise ScopeError(f"{eq.label} expresses {', '.join(eq.eliminated)} by the other names: leave out "
                          f"{', '.join(tied)}, and solve for one of the others")
+    if tied == [name] and "k3" in left:                    # its relation needs all other names
+        relation = dict(eq.relations)[symbol(name)]
+        left = sorted({*left, *left_open((s.name for s in relation.free_symbols), numbers)})
     if tied == [name] and left == ["k3"]:
         return Solution(name, (along_tilts(report, name, numbers),))
     if tied:

@@ -47,8 +47,9 @@ class Formula(Parser):
 
     def power(self, base: Part, exponent: Rational) -> Part:
         if isinstance(base.value, MatrixBase) and exponent not in (2, 3):
+            bracket = "; B is the matrix of the bracket here" if base.value == self.names.get("B") else ""
             self.fail(f"a vector or matrix is raised to the power {exponent}",
-                      "matrices have the powers 2 and 3, and inverse(…)")
+                      f"matrices have the powers 2 and 3, and inverse(…){bracket}")
         if (
             abs(exponent) > 12
             and isinstance(base.value, Expr)

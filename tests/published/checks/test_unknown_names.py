@@ -76,6 +76,13 @@ def test_an_abbreviation_is_unknown_before_it_is_read(tmp_path):
     assert said.count("(an abbreviation that is read later") == 2 and "a in early" in said
 
 
+def test_the_rotor_of_a_scene_without_one(tmp_path):
+    """The message gives the entry of the scene, so that l is not declared as a further letter."""
+    said = refused(tmp_path, ("a", "identity", "top", '"h"', '"l + mass"', ""))
+    assert 'l in a (the scene has no rotor: gyrostatic_momentum = ["0", "0", "l"]); mass in a' in said
+    assert 'parameters = ["mass"]' in said
+
+
 def test_words_are_no_names(tmp_path):
     """A claim, a verdict, a decimal, a count and "never" have none; a function of the grammar is known."""
     text = SCENES + "".join(STATEMENT.format(*entries) for entries in (

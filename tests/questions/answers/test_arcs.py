@@ -30,6 +30,17 @@ def test_what_is_not_proved_of_single_rates_is_said(capsys, field):
     assert [*map(bool, said)] == by_d4 and any(by_d4) and not all(by_d4)
 
 
+def test_it_is_said_where_an_arc_is_split(capsys):
+    """With a rotor at resonances only, without one at the zeros of D4 too; the words used are explained."""
+    for rotor, split in (("0,3/8,-1", "the two frequencies. The pieces"),
+                         ("0,0,0", "the two frequencies, and where D₄ = 0. The pieces")):
+        _, out, _ = decide(capsys, "--potential", "k1 + k2 + k3", "--inertia", "1,2,3",
+                           f"--gyrostatic-momentum={rotor}")
+        said = " ".join(out.split())
+        assert f"an arc is split at the resonances 1:2 and 1:3 of {split}" in said
+        assert "Arnold's determinant D4" in out.split("\n  Terms\n")[1]
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("rotor", ["l=1/2", "l=0"])
 def test_arcs_as_data(capsys, rotor):

@@ -14,7 +14,8 @@ HIGHEST = 100                                              # order: higher ones 
 def uniform_field() -> Potential:
     """Return the uniform field U = m0 k3 with m0 = m g z0.
 
-    If z0 > 0, the centre of mass is above the support at k3 = 1.
+    If z0 > 0, the centre of mass is above the support at k3 = 1. A body of revolution in this field is the
+    Lagrange top.
 
     Returns
     -------

@@ -50,6 +50,7 @@ def conditions_table(reports: Iterable[Report], paper: Paper = PLAIN, after: Seq
     symbols = symbol_rows(scene, occurring(shown))
     table = "\n".join((
         r"\begin{table}[htbp]\footnotesize",               # so that a page holds it
+        r"\renewcommand{\arraystretch}{1.4}",              # so that fractions do not touch
         rf"\caption{{{_caption(given, names)}}}{paper.labelled('conditions')}\smallskip",
         rf"\begin{{tabular}}{{@{{}}{columns}@{{}}}}", r"\hline", *rows, r"\end{tabular}", r"\end{table}",
         *(tex(part, names) for part in note),

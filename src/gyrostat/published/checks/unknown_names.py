@@ -47,6 +47,8 @@ def _hint(name: str, s: Statement, known: frozenset[str]) -> str:
     """What an unknown name may be; "" if nothing is like it."""
     if name in s.let:
         return " (an abbreviation that is read later: first given and at, then let in its order)"
+    if name == "l" and "gyrostatic_momentum" not in s.scene.table:
+        return ' (the scene has no rotor: gyrostatic_momentum = ["0", "0", "l"])'
     near = get_close_matches(name, sorted(known | s.let.keys()), 1)
     return f" (did you mean {near[0]}?)" if near else ""
 

@@ -12,11 +12,13 @@ from ...equilibria.curves.staude import staude_cone
 from ...equilibria.finders.heavy import OMEGA
 from ...mechanics.scenes.kind import Kind
 from ...mechanics.scenes.system import names_of_scene
-from ...printing.blocks import Block, Heading
+from ...printing.blocks import Block, Heading, sentence
 from ...printing.formats.json_data import decision_data, number_data, strings
+from ...printing.glossary import term_blocks
 from ...printing.results.beyond_reports import result_blocks
 from ...printing.results.decision import note_blocks
 from ...stability.criteria.number_notes import scene_note
+from ...stability.decision import Rung
 from ..scene_texts import Asked, scene_of
 from .equilibrium_labels import named
 
@@ -35,10 +37,21 @@ def arcs_at(asked: Asked, label: str | None, numbers: Mapping[str, Expr]) -> Seq
 
 
 def arcs_blocks(arcs: Sequence[Arc]) -> list[Block]:
-    """Ends, direction, rate and verdicts of each."""
-    return [*(block for n, arc in enumerate(arcs, 1)
-              for block in (Heading(f"permanent rotations, arc {n}"), *result_blocks(arc))),
-            *note_blocks(scene_note(arcs[0].scene, {}))]
+    """Ends, direction, rate and verdicts of each; where they are split, and the terms."""
+    found = [*(block for n, arc in enumerate(arcs, 1)
+               for block in (Heading(f"permanent rotations, arc {n}"), *result_blocks(arc))), *_splits(arcs)]
+    return [*found, *term_blocks(found), *note_blocks(scene_note(arcs[0].scene, {}))]
+
+
+def _splits(arcs: Sequence[Arc]) -> list[Block]:
+    """Where an arc is split although the verdict does not change."""
+    rungs = {piece.decision.rung for arc in arcs for piece in arc.pieces}
+    if not rungs & {Rung.TWIST, Rung.TWIST_POSITIVE, Rung.TWIST_NEGATIVE}:
+        return []
+    zeros = "" if Rung.TWIST in rungs else ", and where D₄ = 0"
+    return [Heading("Where an arc is split"), sentence(
+        "Where gyroscopic forces stabilise the rotations, an arc is split at the resonances 1:2 and 1:3 of "
+        f"the two frequencies{zeros}. The pieces do not contain these points.")]
 
 
 def _along(arc: Arc) -> dict[str, Any]:
