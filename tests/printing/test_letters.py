@@ -94,7 +94,7 @@ def formulas(blocks):
 
 def letters(shown):
     """The letters of a formula in Unicode, each with what stands below it."""
-    return re.findall("energy|[^\\W\\d_][\u0307\u0308]*[₀-₉]*(?:_[^\\W\\d]\\w*)?", normalize("NFD", shown))
+    return re.findall("energy|[^\\W\\d_][\u0307\u0308]*[₀-₉ₙ]*(?:_[^\\W\\d]\\w*)?", normalize("NFD", shown))
 
 
 def in_text(blocks):

@@ -54,7 +54,8 @@ def run(given: argparse.Namespace, out: Output) -> int:
         return 0
     note, bare = note_once(answers)
     found = [a for a in bare if isinstance(a, Answer)]
-    units, without = units_given(given), [block for m in bare if isinstance(m, Missing) for block in m.blocks()]
+    without = [block for m in bare if isinstance(m, Missing) for block in m.blocks()]
+    units = units_given(given)
     if len(found) < 2 or given.equilibrium is not None:
         blocks = [block for a in found for block in _blocks(a, a.label, units)]
         out(text([*blocks, *without, *([] if blocks or without else [sentence(_NOWHERE)]),
