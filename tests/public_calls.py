@@ -134,7 +134,7 @@ def verbs():
         (m.rotation, {"convention": "zxz"}),
         (m.torque_equations, {"body": k.free.body, "torque": ("tau1", "tau2", "tau3")}),
         (p.animate_top, {"motion": k.motion, "times": [0, 1], "ax": space}),
-        (p.caption, {"ax": p.draw_chart(k.chart, flat)}),
+        (p.caption, {"ax": p.draw_chart(k.chart, flat())}),
         (p.draw_amended_potential, {"scene": k.gyrostat, "values": {"C1": 5}, "ax": space}),
         (p.draw_attitudes, {"scene": k.satellite, "values": {}, "ax": space}),
         (p.draw_bifurcation_diagram, {"scene": k.top, "name": "omega", "ends": (0, 3), "values":

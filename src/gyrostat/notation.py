@@ -195,11 +195,8 @@ def symbol(name: str) -> Symbol:
     """
     if not isinstance(name, str):
         raise ArgumentError(f"name = {brief(name)} is {article(type(name))}, not a text: give I1, say")
-    return (
-        Symbol(name, positive=True)
-        if name in NOTATION and NOTATION[name].positive
-        else Symbol(name, real=True)
-    )
+    positive = name in NOTATION and NOTATION[name].positive
+    return Symbol(name, positive=True) if positive else Symbol(name, real=True)
 
 
 def components(name: str) -> tuple[Symbol, Symbol, Symbol]:

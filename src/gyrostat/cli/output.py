@@ -199,6 +199,11 @@ def picture_options(verb: argparse.ArgumentParser) -> None:
     verb.add_argument("--output", metavar="FILE", help="write to a .png, .jpg, .svg or .pdf")
     verb.add_argument("--format", choices=FORMATS,
                       help="the kind of the file; default: that of its name")
+    look_options(verb)
+
+
+def look_options(verb: argparse.ArgumentParser) -> None:
+    """Add the options of how a picture looks: its width, its dots per inch, and whether it has a title."""
     verb.add_argument("--width", type=_inches, default=WIDTH_IN, metavar="WIDTH",
                       help=f"the width in inches, or with its unit: 3.4, 86mm, 8.6cm; default {WIDTH_IN} in")
     verb.add_argument("--dpi", type=_dots, default=DPI, metavar="N",

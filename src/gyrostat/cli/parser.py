@@ -19,7 +19,7 @@ from .options.scene_options import (
     pointing,
     scene_file,
 )
-from .output import picture_options, standard_streams, told
+from .output import look_options, picture_options, standard_streams, told
 from .run_verb import carried_out
 from .time_limit import signals
 
@@ -85,6 +85,7 @@ def parser() -> argparse.ArgumentParser:
     chart.add_argument("--backend", choices=("numpy", "numba"), default="numpy",
                        help="numba is faster and needs gyrostat[fast]; default: numpy")
     chart.add_argument("--output", metavar="FILE", help="write to chart.png, .pdf, .svg, .nc or .zarr")
+    look_options(chart)
     verify.add_argument("sources", nargs="*", metavar="SOURCE",
                         help="VV2003, N2025, EA, AR, literature, windows, satellites, or a .toml file of "
                         "your own; default: the first seven")

@@ -45,6 +45,24 @@ def test_format_without_title(tmp_path, monkeypatch):
     assert texts["--format=svg"].count("<text") > texts["--no-title"].count("<text") > 4
 
 
+def test_a_chart_has_the_width_and_no_title(tmp_path, monkeypatch):
+    """The options of pictures hold for charts, too; more dots than a picture may have are refused."""
+    asked = ["chart", "--potential", "m0*k3", "--equilibrium", "E1", "--x", "pi3_0=-4:4:5", "--y", "l=-2:2:4",
+             "--set", "I1=1", "m0=1/3"]
+    widths, texts = {}, {}
+    monkeypatch.setitem(matplotlib.rcParams, "svg.fonttype", "none")
+    monkeypatch.setattr("gyrostat.cli.verbs.chart.printed_look", nullcontext)
+    for more in ((), ("--no-title", "--width", "5")):
+        path = tmp_path / f"chart{len(more)}.svg"
+        assert main([*asked, *more, "--output", str(path)]) == 0
+        texts[more] = path.read_text(encoding="utf-8")
+        widths[more] = float(re.findall(r'<svg[^>]* width="([\d.]+)pt"', texts[more])[0])
+    assert [*widths.values()] == pytest.approx([3.4 * 72, 360])
+    with_title, without = texts.values()
+    assert with_title.count("E1, ") == 1 and "E1, " not in without
+    assert main([*asked, "--width", "40", "--dpi", "2400", "--output", str(tmp_path / "x.png")]) == 2
+
+
 @pytest.mark.parametrize(("options", "why"), [
     (["--width", "0"], "0 is no width: give 1 to 40 inches"), (["--width", "-3"], "-3 is no width"),
     (["--width", "86 km"], "86 km is no width"), (["--width", "nan"], "nan is no width"),

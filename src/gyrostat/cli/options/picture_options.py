@@ -36,9 +36,7 @@ class Form(NamedTuple):
 
 def form_of(given: argparse.Namespace, out: Output) -> Form:
     """How the picture is written, once it is known that it can be."""
-    if (dots := round(given.width * given.dpi)) > MOST:
-        raise ValuesError(f"--width {given.width:g} in at --dpi {given.dpi} is {dots} dots across: give a "
-                          f"width and dpi of at most {MOST}")
+    refuse_too_many_dots(given)
     name = Path(out.path or "").suffix.removeprefix(".")
     if given.format is None or out.path is None:
         path = file_of(out, "picture", PICTURES, f"{given.kind}.png, .jpg, .svg or .pdf")
@@ -48,3 +46,10 @@ def form_of(given: argparse.Namespace, out: Output) -> Form:
                           "one of the two")
     path = file_of(out, "picture", (Path(out.path).suffix,), "a file", {"matplotlib": "plot"})
     return Form(path, given.format, given.width, given.dpi, given.title)
+
+
+def refuse_too_many_dots(given: argparse.Namespace) -> None:
+    """Raise ValuesError if the width and the dots per inch ask for more dots than a picture may have."""
+    if (dots := round(given.width * given.dpi)) > MOST:
+        raise ValuesError(f"--width {given.width:g} in at --dpi {given.dpi} is {dots} dots across: give a "
+                          f"width and dpi of at most {MOST}")

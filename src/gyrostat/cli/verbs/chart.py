@@ -15,8 +15,9 @@ from ...questions.answers.equilibria import report_for
 from ...questions.given_numbers import numbers_of, one_spin
 from ...stability.criteria.number_notes import scene_note
 from ..options.axis_option import axis_of
+from ..options.picture_options import Form, refuse_too_many_dots
 from ..options.scene_files import asked_of, with_scene
-from ..output import PICTURES, Output, file_of, printed_look, save_picture
+from ..output import PICTURES, Output, file_of, printed_look
 
 DATA = (".nc", ".zarr")
 KINDS = "a picture, chart.png, .pdf or .svg; data, chart.nc or chart.zarr"
@@ -27,6 +28,7 @@ def run(given: argparse.Namespace, out: Output) -> int:
     """Write the chart; 0."""
     given = with_scene(given)
     path = file_of(out, "chart", PICTURES + DATA, KINDS, {"xarray": "charts"})
+    refuse_too_many_dots(given)
     numbers = numbers_of(given.values)
     axes = dict(_axes([("--axis", text) for text in given.axis or ()] + [("--y", given.y), ("--x", given.x)]))
     if len(axes) > 2 and path.suffix in PICTURES:
@@ -43,11 +45,11 @@ def run(given: argparse.Namespace, out: Output) -> int:
                             damped=given.damped, store=store, backend=given.backend,
                             threads=given.threads)
     if path.suffix in PICTURES:
-        from matplotlib.figure import Figure
+        form = Form(path, path.suffix.removeprefix("."), given.width, given.dpi, given.title)
         with printed_look():
-            figure = Figure()
+            figure = form.figure()
             draw_chart(chart, figure.subplots())
-            save_picture(figure, path)
+            form.save(figure)
     elif store is None:
         packed = {"zlib": True, "complevel": 1}
         save_netcdf(chart, path, encoding={name: packed for name in ("verdict", "damped", "rung")

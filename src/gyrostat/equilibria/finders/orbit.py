@@ -8,6 +8,7 @@ from ...algebra.reals.exact import evaluate, proved_sign
 from ...algebra.rings.matrices import cross
 from ...algebra.solving.real_fields import FieldNumbers
 from ...algebra.solving.sphere_zeros import zeros_on_sphere
+from ...algebra.text.numbers import shown
 from ...errors import ScopeError, ValuesError
 from ...mechanics.families.circular_orbit import NORMAL, VERTICAL, by_gradient_alone, orbital_rate
 from ...mechanics.scenes.system import System, at_numbers, names_of_scene
@@ -52,8 +53,9 @@ def orbit_forms(scene: System, values: Mapping[str, Any]) -> list[OrbitalForm]:
     direction = [evaluate(x / scale, {}) for x in rotor]
     if not all(isinstance(x, Rational) for x in (*here.body.moments, *direction, evaluate(scale**2, {}))):
         raise ScopeError("if the rotor is along no principal axis, all equilibria are found at rational "
-                         "moments and a rational l/omega0 (or one square root times that); here l/omega0 is "
-                         f"({', '.join(map(str, rotor))}): round it to decimals")
+                         "moments and a rational l/omega0 (or one square root times that); here the moments "
+                         f"are ({', '.join(map(shown, here.body.moments))}) and l/omega0 is "
+                         f"({', '.join(map(shown, rotor))}): give the moments and l as decimals")
     return [*_tilted(here, direction, scale), *_principal(here, direction, scale, axis)]
 
 
