@@ -144,7 +144,7 @@ def test_heavy_tilt_exists_for():
     (lambda: stabilizing_set(reports("U1")["E1"], "l", {"l": 1}), ValuesError, "leave out one"),
     (lambda: stabilizing_set(reports("U2")["E1"], "I1"), ScopeError, "positive: give numbers"),
     (lambda: stabilizing_set(reports("U1")["E3"], "l", {"I1": 1}), ScopeError,
-     "ties l .* while k3, omega are open"),
+     "ties l .* while I3, k3, m0, omega are open"),
     (lambda: stabilizing_set(reports("U1")["E3"], "m0", {"l": 1, "I1": 1}), ScopeError, "or leave out l"),
     (lambda: stabilizing_set(reports("U1")["E1"], "l").contains({"I1": 1, "m0": 1, "pi3_0": 2}), ValuesError,
      "a set of l"),

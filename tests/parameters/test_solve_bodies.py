@@ -6,7 +6,7 @@ from functools import partial
 import oracle
 import pytest
 from parameters.solved import BODY, truth
-from sympy import oo
+from sympy import oo, pi
 
 import gyrostat as gs
 from gyrostat.algebra.text.numbers import exact_number
@@ -135,3 +135,19 @@ def test_an_asymmetric_body_as_far_as_it_is_proved(inertia, name, values, wholly
     shown = text(result_blocks(solution))
     assert len(kinds) > 1 and shown.count("\n") >= len(solution.parts) and shown.count("Stable:") <= 1
     assert None not in kinds or ("Nothing is proved for" if wholly else "a verdict at numbers may") in shown
+
+
+def test_a_rate_in_rpm_is_that_in_radians():
+    """The ends of the set are 30/π times the others; π stands in every coefficient of the sextic."""
+    def ends(unit):
+        tensor = [[45, "0.9", 0], ["0.9", 52, "1.1"], [0, "1.1", 31]]
+        wheel = gs.Rotor((0, 1, 0), axial="1/50", rate=gs.symbol("s") * unit)
+        orbit = gs.circular_orbit("0.0011")
+        body = gs.earth_pointing_gyrostat(gs.gyrostat_with_rotors(tensor, [wheel], lumped=True), orbit)
+        report = gs.analyze(gs.earth_pointing(gs.assemble(body, orbit)))
+        return [float(end) for part in stabilizing_set(report, "s").parts for case in part.cases
+                for interval in case.intervals for end in (interval.low, interval.high) if abs(end) != oo]
+
+    radians = ends(1)
+    assert len(radians) > 4
+    assert ends(pi / 30) == pytest.approx([x * float(30 / pi) for x in radians], rel=1e-13)  # doubles

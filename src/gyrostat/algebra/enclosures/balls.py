@@ -30,7 +30,7 @@ class Enclosed(Expr):
         raise NotImplementedError
 
     def _eval_evalf(self, prec: int) -> Float:
-        middle = ball(self, prec + 16).mid()
+        middle = finite_ball(self, prec + 16).mid()
         return Float(middle.str(int(prec * 0.302) + 4, radius=False), precision=prec)
 
 
@@ -47,6 +47,16 @@ def ball(expression: Expr, precision: int, values: Mapping[Symbol, arb] = NOTHIN
     """
     with own_precision(precision):
         return +_ball(expression, values)
+
+
+def finite_ball(number: Expr, precision: int) -> arb:
+    """Enclose an exact number at this precision, or at a higher one if roots are not isolated at this one.
+
+    The precision is doubled until the ball is finite, or 8192 bits are reached.
+    """
+    while not (enclosure := ball(number, precision)).is_finite() and precision < FARTHEST:
+        precision *= 2
+    return enclosure
 
 
 def accurate(number: Expr, bits: int) -> arb:

@@ -11,7 +11,7 @@ from sympy import Add, Expr, Mul, Poly, Pow, Rational, S, Symbol, floor, minimal
 
 from ...errors import ScopeError, brief
 from ..enclosures.algebraic import is_algebraic
-from ..enclosures.balls import ball, ends
+from ..enclosures.balls import ball, ends, finite_ball
 from ..enclosures.rationals import to_sympy
 from ..reals.exact import proved_sign
 from ..reals.number_fields import in_one
@@ -197,7 +197,7 @@ def inside(values: Iterable[Expr], low: Expr, high: Expr) -> list[Expr]:
 
 def _side(number: Expr, precision: int, side: int) -> Rational:
     """Return the upper or lower end of an enclosure, exactly."""
-    return to_sympy(ends(ball(number, precision))[side > 0])
+    return to_sympy(ends(finite_ball(number, precision))[side > 0])
 
 
 def nearest(value: Expr, known: list[Expr], power: int = 1) -> Expr:

@@ -5,7 +5,7 @@ from typing import Any
 
 from sympy import Add, Expr, Rational, S, Symbol
 
-from ...algebra.enclosures.balls import ball
+from ...algebra.enclosures.balls import ball, finite_ball
 from ...algebra.reals.exact import Point, compiled, evaluate, sign_of_constant
 from ...algebra.text.numbers import exact_number, shown
 from ...algebra.text.quantities import not_mixed
@@ -42,7 +42,7 @@ def exact_values(eq: Equilibrium, values: Mapping[str, Any], required: Sequence[
     not_mixed(given.items())
     numbers = Point({symbol(name): exact_number(value, name) for name, value in given.items()})
     for name, number in numbers.items():
-        if not isinstance(number, Rational) and not ball(number, 64).is_finite():
+        if not isinstance(number, Rational) and not finite_ball(number, 64).is_finite():
             raise ValuesError(f"{name} = {number} cannot be enclosed: write it with rationals, roots, pi, "
                               "exp, log and the like")
         if name.is_positive and not is_positive(name.name, number):
