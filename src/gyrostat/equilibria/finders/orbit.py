@@ -53,8 +53,8 @@ def orbit_forms(scene: System, values: Mapping[str, Any]) -> list[OrbitalForm]:
     direction = [evaluate(x / scale, {}) for x in rotor]
     if not all(isinstance(x, Rational) for x in (*here.body.moments, *direction, evaluate(scale**2, {}))):
         raise ScopeError("if the rotor is along no principal axis, all equilibria are found at rational "
-                         "moments and a rational l/omega0 (or one square root times that); here the moments "
-                         f"are ({', '.join(map(shown, here.body.moments))}) and l/omega0 is "
+                         "moments and a rational l/omega0 (or one square root times that); here they are "
+                         f"({', '.join(map(shown, here.body.moments))}) and "
                          f"({', '.join(map(shown, rotor))}): give the moments and l as decimals")
     return [*_tilted(here, direction, scale), *_principal(here, direction, scale, axis)]
 
