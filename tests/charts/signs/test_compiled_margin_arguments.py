@@ -128,7 +128,7 @@ def test_what_is_wrong_with_the_arrays_is_named(e1, arrays, said):
 
 
 @pytest.mark.parametrize(("what", "backend", "said"), [
-    (x, "jax", "backend = 'jax' is none"), (3, "numpy", "is an int"), ("x", "numpy", "is a str"),
+    (x, "jax", "backend = 'jax' is not known"), (3, "numpy", "is an int"), ("x", "numpy", "is a str"),
     (None, "numba", "is a NoneType")])
 def test_what_cannot_be_compiled_is_named(what, backend, said):
     """ArgumentError for other backends and other things to compile."""

@@ -193,7 +193,7 @@ class Boundary(Shown, Stored):
         kind = (": supercritical" if stable else ": subcritical") if self.pole else ""
         where = "on the boundary " if rung.power > 2 else ""
         compared = "<" if sign > 0 else ">"
-        moves = "k3 stays near its value" if stable else "a motion leaves along x"
+        moves = "x stays small" if stable else "a motion leaves along x"
         power = rung.power if isinstance(rung.power, int) else f"({rung.power})"
         return settled(stable, f"{where}g = c x^{power} + … with c {compared} 0, {moves}{kind}",
                        Decided.REDUCED_MOTION)
