@@ -10,7 +10,7 @@ from sphinx.application import Sphinx
 import gyrostat as gs
 
 HERE = Path(__file__).parent
-sys.path.insert(0, str(HERE))                          # command_line, the directive
+sys.path.insert(0, str(HERE))                          # command_line and typeset
 
 project = "gyrostat"
 author = "The gyrostat developers"
@@ -26,6 +26,7 @@ extensions = [
     "sphinx-mathjax-offline",
     "sphinx_copybutton",
     "sphinx_design",
+    "typeset",
 ]
 nitpicky = True
 smartquotes = False                                    # U'' and --set are written so

@@ -41,7 +41,7 @@ def circular_orbit(rate: Any = None, *, mu: Any = None, radius: Any = None,
     """Return the field of a satellite in a circular orbit, in the frame that turns with the orbit.
 
     n is the normal of the orbit, r the local vertical, outwards, t = n × r along the velocity, all in body
-    axes. h = T − ω0 n·(π + l) + (3/2) ω0² r·Ir is the Jacobi integral; π is the angular momentum of the
+    axes. h = T − ω0 n·(π + l) + (3/2) ω0² r·I r is the Jacobi integral; π is the angular momentum of the
     absolute rate ω, the rate against the frame is ω − ω0 n. The attitude does not act on the orbit, and the
     body is small beside it.
 
@@ -164,8 +164,8 @@ def earth_pointing(scene: System, roll: int = 1, pitch: int = 2, yaw: int = 3) -
     ScopeError
         the scene is in no orbit
     EquilibriumError
-        the axes are not three; or the body does not rest so: l needs l·t = −ω0 t·In, l·r = −4 ω0 r·In, and
-        t·Ir = 0
+        the axes are not three; or the body does not rest so: l needs l·t = −ω0 t·I n, l·r = −4 ω0 r·I n,
+        and t·I r = 0
 
     References
     ----------

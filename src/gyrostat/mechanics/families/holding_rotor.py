@@ -17,8 +17,8 @@ def earth_pointing_gyrostat(body: Gyrostat, orbit: CoupledPotential, roll: int =
                             yaw: int = 3) -> Gyrostat:
     """Return the body with the rotor that holds it at rest in the frame of its circular orbit.
 
-    That rotor has l·t = −ω0 t·In and l·r = −4 ω0 r·In; l·n is free, and that of the body is kept. It needs
-    t·Ir = 0: no rotor holds the torque of the gravity gradient about n, 3 ω0² t·Ir.
+    That rotor has l·t = −ω0 t·I n and l·r = −4 ω0 r·I n; l·n is free, and that of the body is kept. It needs
+    t·I r = 0: no rotor holds the torque of the gravity gradient about n, 3 ω0² t·I r.
 
     Parameters
     ----------
@@ -37,7 +37,7 @@ def earth_pointing_gyrostat(body: Gyrostat, orbit: CoupledPotential, roll: int =
     ScopeError
         it is no orbit, or another field acts there, or a rotor is free
     EquilibriumError
-        the axes are not three; or t·Ir is not 0
+        the axes are not three; or t·I r is not 0
 
     References
     ----------

@@ -30,7 +30,7 @@ def release(scene: System, angles: Sequence[Any], pointing: Sequence[int] = (1, 
     Returns
     -------
     tuple of Expr
-        π = ω0 In, n, r, shape (9,), for motion
+        π = ω0 I n, n, r, shape (9,), for motion
 
     Raises
     ------

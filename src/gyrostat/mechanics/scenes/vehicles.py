@@ -25,9 +25,9 @@ def underwater_vehicle(inertia: Sequence[Any] = components("I"), mass: Sequence[
                        gyrostatic_momentum: Sequence[Any] = (0, 0, 0)) -> System:
     """Return a neutrally buoyant body in an ideal fluid at rest at infinity: Kirchhoff's equations.
 
-    T = ½ Ω·JΩ + Ω·Dv + ½ v·Mv is the energy of the body and the fluid that it moves, v the velocity of its
-    centre of buoyancy. The coordinates are π = JΩ + Dv, the impulse p = Dᵀ Ω + Mv and, if the body has
-    weight, the direction gamma of gravity, in body axes. In them h = ½ π·Aπ + π·Bp + ½ p·Cp − gamma·w with
+    T = ½ Ω·J Ω + Ω·D v + ½ v·M v is the energy of the body and the fluid that it moves, v the velocity of its
+    centre of buoyancy. The coordinates are π = J Ω + D v, the impulse p = Dᵀ Ω + M v and, if the body has
+    weight, the direction gamma of gravity, in body axes. In them h = ½ π·A π + π·B p + ½ p·C p − gamma·w with
     the inverse of the matrix of T, so that the tensor of the body of the scene, of which Ω = A (π − …), is
     not J but A⁻¹ = J − D M⁻¹ Dᵀ. Stability is that of π, p and gamma; the place of the vehicle drifts.
 
