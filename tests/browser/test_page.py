@@ -103,7 +103,7 @@ def test_the_whole_derivation_is_shown_where_it_is_opened(page):
     page.evaluate("document.getElementById('derivation').open = true")
     page.wait_for_selector("#blocks table")
     text = page.inner_text("#blocks")
-    assert "Poisson tensor" in text and "Characteristic polynomial" in text
+    assert "Poisson tensor" in text and "characteristic polynomial" in text
     page.evaluate("document.getElementById('derivation').open = false")
 
 
