@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from drawn_pictures import BODY, FIELDS, GENERAL, flat, of_revolution, of_three_moments, without_a_field
 from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.collections import LineCollection
 from matplotlib.figure import Figure
 
 import gyrostat as gs
@@ -76,3 +77,12 @@ def test_a_name_without_room_stands_in_the_legend():
     small = plotting.draw_bifurcation_diagram(scene, "omega", (-5, 5), BODY, Figure((1.2, 1.2)).subplots())
     assert "fold at fixed rate" in [text.get_text() for text in small.get_legend().get_texts()]
     assert not any(text.get_text() == "fold at fixed rate" for text in small.texts)
+
+
+def test_curves_that_are_not_finite_are_in_nobodys_way():
+    """A piece without a finite point, of a picture that was there before, leaves room for names."""
+    ax = Figure().subplots()
+    ax.add_collection(LineCollection([[(np.nan, np.nan)] * 2, [(0, 0), (1, 1)]]))
+    upright = gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field()))
+    plotting.draw_eigenvalues(upright, "pi3_0", np.linspace(3, 1, 9), {"I1": 1, "I3": 1, "l": 0, "m0": 1}, ax)
+    assert ["2" in text.get_text() for text in ax.texts if "pi_3" in text.get_text()] == [True]

@@ -101,7 +101,7 @@ def _obstacles(ax: Any) -> Array:
     for collection in ax.collections:
         if isinstance(collection, optional("matplotlib.collections", "plot").LineCollection):
             found += [_along(np.clip(ax.transData.transform(piece), low, high))
-                      for piece in collection.get_segments()]
+                      for piece in collection.get_segments() if len(piece)]     # none: not finite
     for text in ax.texts:
         box = text.get_window_extent()
         found.append(_grid(box.min, box.max))

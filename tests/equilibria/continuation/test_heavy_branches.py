@@ -76,8 +76,8 @@ def test_along_omega(full):
 def test_the_picture():
     ax = gs.plotting.draw_bifurcation_diagram(PLANE, "l3", ("5/2", 3), {"omega": 1},
                                               Figure().subplots())
-    names = [text.get_text() for text in ax.get_legend().get_texts()]
-    assert {"unstable", "fold", "pitchfork", "changes: singular form"} <= set(names)
+    names = {text.get_text() for text in (*ax.get_legend().get_texts(), *ax.texts)}
+    assert {"unstable", "fold", "pitchfork", "singular form"} <= names
     heights = {line.get_marker(): line.get_ydata() for line in ax.lines if line.get_linestyle() == "None"}
     assert np.allclose(heights["P"], [-(3**0.5) / 2]) and len(heights["o"]) == 2
 
