@@ -22,6 +22,7 @@ LONG = 60                                              # characters of a potenti
 _COLUMNS = 0.13, 0.2, 0.56                             # of a line: equilibrium, what, formula
 _WIDE = 200.0                                          # points: a formula that fills the third column
 _RELATION = re.compile(r"(\\geq|\\leq|\\neq|\\propto|[<>=]) ")
+_MANY = 30                                             # rows of a table that needs small letters
 _LADDER = r"""\par\smallskip\noindent
 If the necessary condition holds and the sufficient one does not, the first coefficient $⟨c_⟩_n$ that is not 0
 in $%s = ⟨c_⟩_3 ⟨x⟩^3 + ⟨c_⟩_4 ⟨x⟩^4 + \dots$ decides; $\propto$ means up to a positive factor."""
@@ -42,15 +43,14 @@ def conditions_table(reports: Iterable[Report], paper: Paper = PLAIN, after: Seq
     own = [b for r in given for b in (*family_blocks(r.equilibrium), *definition_blocks(r))]
     rows = []
     for report in given:
-        rows += [rf"{report.equilibrium.label if n == 0 else ''} & {name} & {cell} \\"
+        rows += [rf"{report.equilibrium.label if n == 0 else ''} & {name} & {cell} \\{_apart(cell)}"
                  for n, (name, cell) in enumerate(_lines(report, names))] + [r"\hline"]
     columns = "".join(rf">{{\raggedright\arraybackslash}}p{{{share}\linewidth}}" for share in _COLUMNS)
     scene, note = given[0].equilibrium.system, _ladder_note(given, names)
     shown = [part for report in given for part in _parts(report)] + own + note
     symbols = symbol_rows(scene, occurring(shown))
     table = "\n".join((
-        r"\begin{table}[htbp]\footnotesize",               # so that a page holds it
-        r"\renewcommand{\arraystretch}{1.4}",              # so that fractions do not touch
+        rf"\begin{{table}}[htbp]\{'scriptsize' if len(rows) > _MANY else 'footnotesize'}",  # a page holds it
         rf"\caption{{{_caption(given, names)}}}{paper.labelled('conditions')}\smallskip",
         rf"\begin{{tabular}}{{@{{}}{columns}@{{}}}}", r"\hline", *rows, r"\end{tabular}", r"\end{table}",
         *(tex(part, names) for part in note),
@@ -95,6 +95,11 @@ def _lines(report: Report, names: Names) -> list[tuple[str, str]]:
     return [*before, ("necessary (spectral)", _cell(formula(report.necessary, names))),
             ("sufficient (formal)", _cell(formula(report.sufficient, names))), *between,
             ("under internal damping (secular)", _cell(formula(report.damped, names)))]
+
+
+def _apart(cell: str) -> str:
+    """Write the space below a cell that keeps its fractions from touching the next row."""
+    return "[3pt]" if r"\frac" in cell.rsplit(r"\newline")[-1] else ""
 
 
 def _cell(line: str) -> str:

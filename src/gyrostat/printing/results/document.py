@@ -40,7 +40,7 @@ from .scene import scene_blocks
 from .two_directions import casimirs, frame_blocks, parallel_blocks
 
 # characters of a formula that does not go into a sentence
-LONG = 80
+LONG = 70
 
 
 def whole_blocks(scene: System, found: Sequence[Block]) -> list[Block]:
@@ -179,9 +179,7 @@ def _eigenvalues(linear: Linearization, at: Any) -> list[Block]:
     outer, inner = (_readable_roots(linear.equilibrium.insert_field(part)) for part in parts)
     if inner == 0:
         return [sentence("The eigenvalues are ", imaginary, " ", outer, ".", at=at)]
-    potential = linear.equilibrium.system.potential
-    # p stands above
-    if inner == outer and potential and potential.given and len(str(2 * outer)) > LONG:
+    if inner == outer and len(str(2 * outer)) > LONG:      # p stands above
         root = word(letters, "√⟨p⟩", r"\sqrt{⟨p⟩}")
         return [sentence("The eigenvalues are 0, 0 and ", imaginary, " ", root, ".", at=at)]
     if inner == outer:
