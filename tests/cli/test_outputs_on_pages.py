@@ -56,11 +56,19 @@ def test_a_store_of_another_chart_is_refused_as_its_page_says(capsys, tmp_path, 
         output.split() for output in alone("large-stores.md")]
 
 
+def refused(capsys, folder, monkeypatch, paper):
+    """What verify writes of a refused file, as wide as pages are."""
+    monkeypatch.setenv("COLUMNS", "76")
+    monkeypatch.chdir(folder)
+    Path("my_paper.toml").write_text(paper)
+    status, _, err = run(capsys, "my_paper.toml", verb="verify")
+    assert status == 2
+    return err
+
+
 def test_a_letter_of_two_meanings_is_refused_as_its_page_says(capsys, tmp_path, monkeypatch):
     """In a formula about m g h k3."""
-    monkeypatch.setenv("COLUMNS", "76")
-    monkeypatch.chdir(tmp_path)
-    Path("my_paper.toml").write_text("""
+    err = refused(capsys, tmp_path, monkeypatch, """
         source = { name = "mine", title = "A paper" }
         scene = { top = { potential = "m*g*h*k3" } }
         [[formula]]
@@ -70,18 +78,15 @@ def test_a_letter_of_two_meanings_is_refused_as_its_page_says(capsys, tmp_path, 
         printed = "pi1"
         kind = "identity"
         scene = "top" """)
-    status, _, err = run(capsys, "my_paper.toml", verb="verify")
-    assert status == 2 and err == alone("check-a-paper.md")[1]
+    assert err == alone("check-a-paper.md")[1]
 
 
 def test_unknown_names_are_refused_as_their_page_says(capsys, tmp_path, monkeypatch):
     """Two in the condition of the page, one of them in another statement; the page has the first lines."""
-    monkeypatch.setenv("COLUMNS", "76")
-    monkeypatch.chdir(tmp_path)
     page = (ROOT / "docs/how-to/check-a-paper.md").read_text(encoding="utf-8")
     (paper,) = (text for name, text in FILE.findall(page) if name == "my_paper.toml")
     wrong = paper.replace("omega3_0)", "omega_30)").replace("2*I1*m0", "2*I1*mass")
-    Path("my_paper.toml").write_text(wrong + """
+    err = refused(capsys, tmp_path, monkeypatch, wrong + """
         [[formula]]
         key = "slow"
         where = "eq. (6)"
@@ -89,5 +94,4 @@ def test_unknown_names_are_refused_as_their_page_says(capsys, tmp_path, monkeypa
         printed = "mass**2"
         kind = "identity"
         scene = "top" """)
-    status, _, err = run(capsys, "my_paper.toml", verb="verify")
-    assert status == 2 and err.startswith(alone("check-a-paper.md")[0].removesuffix("⋮\n"))
+    assert err.startswith(alone("check-a-paper.md")[0].removesuffix("⋮\n"))

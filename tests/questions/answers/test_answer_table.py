@@ -4,6 +4,7 @@ from commands import decide
 import gyrostat as gs
 
 TOP = ["--potential", "m0*k3", "--set", "I1=1", "I3=8/5", "l=0", "m0=1", "omega=2"]
+WELLS = ["--potential", "k3^4 - k3^2/2", "--set", "I1=2", "I3=1", "l=0", "omega=1/2"]
 BODY = ["--potential", "none", "--inertia", "3 kg m^2,2 kg m^2,1 kg m^2", "--gyrostatic-momentum",
         "0,0,0.1 N m s", "--momentum", "2 N m s"]
 SATELLITE = ["--orbit", "1", "--inertia", "1,5/4,8/5", "--gyrostatic-momentum", "3/10,1/5,1/10"]
@@ -13,7 +14,6 @@ def rows(out):
     """The cells of each row of a table."""
     cells = [line.split() for line in out.split("\n\n")[1].splitlines()]
     return [row for row in cells if row[0].isdecimal()]
-
 
 
 def test_the_answer_comes_first(capsys):
@@ -36,9 +36,10 @@ def test_full_adds_the_details_by_number(capsys):
 
 
 def test_one_that_is_named_has_no_table(capsys):
-    """Its details are what is asked for."""
-    _, out, _ = decide(capsys, *TOP, "--equilibrium", "E3")
+    """Its details are what is asked for, at each of three tilts."""
+    _, out, _ = decide(capsys, *WELLS, "--equilibrium", "E3")
     assert out.startswith("E3\n══\n") and "Details: --full" not in out
+    assert out.count("E3\n══\n") == 3 and out.count("k₃ = ") == 3
 
 
 def test_rows_of_a_satellite_are_those_of_the_list(capsys):
