@@ -1,11 +1,17 @@
 """Documents as JSON."""
 import json
+from dataclasses import replace
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 from slow import slow
+from sympy import Rational, sqrt
 
 from gyrostat.cli.parser import main
-from gyrostat.printing.formats.json_data import json_text
+from gyrostat.notation import symbol
+from gyrostat.printing.formats.json_data import decision_data, json_text
+from gyrostat.stability.decision import undecided
 from gyrostat.version import DOCUMENT_FORMAT
 
 TOP = ("--potential", "m0*k3", "--equilibrium", "E1")
@@ -26,3 +32,17 @@ def test_no_document_holds_what_json_lacks():
     """NaN and Infinity are refused, not written."""
     with pytest.raises(ValueError, match="JSON compliant"):
         json_text({"x": float("nan")})
+
+
+@given(st.fractions())
+def test_a_fraction_is_written_as_sympy_writes_it(fraction):
+    """As p or p/q, with its sign."""
+    value = Rational(fraction.numerator, fraction.denominator)
+    decision = replace(undecided(""), margins=((symbol("l"), value),))
+    assert decision_data(decision)["margins"] == {"l": str(value)}
+
+
+def test_a_root_is_written_as_sympy_writes_it():
+    """What is no fraction takes SymPy's way."""
+    decision = replace(undecided(""), margins=((symbol("l"), sqrt(2) / 3),))
+    assert decision_data(decision)["margins"] == {"l": "sqrt(2)/3"}

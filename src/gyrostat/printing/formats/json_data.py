@@ -5,7 +5,7 @@ from collections.abc import Mapping, Sequence
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
-from sympy import Expr, Float
+from sympy import Expr, Float, Rational
 
 from ...algebra.enclosures.balls import accurate
 from ...mechanics.scenes.system import System
@@ -101,13 +101,20 @@ def condition_data(c: Condition) -> dict[str, Any]:
 _text = lru_cache(maxsize=4096)(str)                     # the same margins come in every line of a batch
 
 
+def _exact(number: Expr) -> str:
+    """The text of a number; for a fraction without SymPy's printer, which takes longer than a verdict."""
+    if not isinstance(number, Rational):
+        return str(number)
+    return str(number.p) if number.q == 1 else f"{number.p}/{number.q}"
+
+
 def decision_data(decision: Decision) -> dict[str, Any]:
     """A verdict with its reason."""
     return {"verdict": decision.verdict.name, "notion": str(decision.notion),
             "modulo": strings(decision.modulo), "level": strings(decision.level),
             "locus": decision.locus, "rung": decision.rung.value,
             "proved": decision.proved, "reason": decision.reason,
-            "margins": {_text(margin): str(value) for margin, value in decision.margins},
+            "margins": {_text(margin): _exact(value) for margin, value in decision.margins},
             "certificate": {str(F): str(a) for F, a in decision.certificate},
             "note": decision.note}
 

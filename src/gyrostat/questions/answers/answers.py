@@ -18,12 +18,11 @@ from ...printing.formats.si_units import RATE, unit_of
 from ...stability.decision import Decision
 from ...stability.normal_forms.d4_along_family import Window
 from ...stability.normal_forms.normal_form import NormalForm
-from ...stability.report.report import Report
+from ...stability.report.report import Report, both_verdicts
 from ..scene_texts import Asked, scene_of
 from .equilibria import (
     AT_REST,
     Missing,
-    both_verdicts,
     enough,
     its_own,
     known_names,
@@ -194,8 +193,11 @@ def _decided(report: Report, numbers: Mapping[str, Expr]) -> Answer:
 
 def _librations(report: Report, numbers: Mapping[str, Expr]) -> RelativeEquilibrium | None:
     """An Earth-pointing satellite, every name of which has a number, as one of all its attitudes."""
-    eq, known = report.equilibrium, {symbol(name): x for name, x in numbers.items()}
-    if eq.label != EARTH_POINTING.label or not names_of_scene(eq.system) <= known.keys():
+    eq = report.equilibrium
+    if eq.label != EARTH_POINTING.label:
+        return None
+    known = {symbol(name): x for name, x in numbers.items()}
+    if not names_of_scene(eq.system) <= known.keys():
         return None
     return RelativeEquilibrium(OrbitalForm(at_numbers(eq.system, known), eq.point[3:6], eq.point[6:]))
 
