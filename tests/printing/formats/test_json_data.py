@@ -6,10 +6,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from slow import slow
-from sympy import Rational, sqrt
+from sympy import CRootOf, Float, Rational, Symbol, pi, sqrt
 
 from gyrostat.cli.parser import main
 from gyrostat.notation import symbol
+from gyrostat.printing.formats.exact_text import exact_text
 from gyrostat.printing.formats.json_data import decision_data, json_text
 from gyrostat.stability.decision import undecided
 from gyrostat.version import DOCUMENT_FORMAT
@@ -42,7 +43,10 @@ def test_a_fraction_is_written_as_sympy_writes_it(fraction):
     assert decision_data(decision)["margins"] == {"l": str(value)}
 
 
-def test_a_root_is_written_as_sympy_writes_it():
-    """What is no fraction takes SymPy's way."""
-    decision = replace(undecided(""), margins=((symbol("l"), sqrt(2) / 3),))
-    assert decision_data(decision)["margins"] == {"l": "sqrt(2)/3"}
+def test_an_exact_text_is_that_of_the_number():
+    """The polynomial of a root is read once; a sum with two roots, a power, a quotient look as by str."""
+    x = Symbol("x", real=True)
+    a, b = (CRootOf(x**5 - 5 * x + c, 1) for c in (1, 3))
+    for number in (a, a**2 - 3 * a + 1, -a, (a - b) / (2 - a * b**3), sqrt(2 + a) * pi, Rational(-1, 3),
+                   Float("0.1", 30)):
+        assert exact_text(number) == str(number)
