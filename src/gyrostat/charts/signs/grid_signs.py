@@ -82,12 +82,18 @@ class ArraySigns:
             return self.kept[1]
         signs = self.empty(block) if out is None or key is not None else out
         self.filtered(block, signs)
-        self.sufficed = bool(signs.all())
+        self.sufficed = bool(np.bitwise_and.reduce(signs, axis=None) & 1)      # 1 and −1 are odd
         if not self.sufficed:
             with np.errstate(all="ignore"):
                 self._decide(block, signs)
         self.kept = (key, signs) if key is not None else None
         return signs
+
+    def everywhere(self) -> int | None:
+        """Return the sign of an expression that is the same at all points; None if it varies."""
+        if any(n != 1 for n in self.shape):
+            return None
+        return int(self(self.grid.whole).item())
 
     def empty(self, block: Slices) -> Array:
         """Return an array for the signs in a block."""

@@ -1,6 +1,6 @@
 """Makes verdicts in the blocks of a grid: proved signs of margins, and the ladder between criteria."""
 from collections.abc import Iterable, Sequence
-from functools import reduce
+from functools import lru_cache, reduce
 from itertools import chain, repeat
 from typing import NamedTuple
 
@@ -38,7 +38,7 @@ def demands_of(report: Report, grid: Grid, damped: bool) -> Demands:
     """Return the demands of a report on the numbers of a grid."""
     eq, alone = report.equilibrium, None if damped else _single(report.sufficient)
     return Demands((*eq.existence(), *(s for s in grid.values if s.is_positive)),
-                   tuple(e for e in _denominators(eq.field_values) if e.free_symbols <= grid.values.keys()),
+                   tuple(e for e in _denominators(tuple(eq.field_values)) if e.free_symbols <= grid.values.keys()),
                    tuple(eq.constraints),
                    alone if alone is not None and alone == _single(report.necessary) else None)
 
@@ -55,7 +55,10 @@ class Decided:
         self.rungs, self.stays_open = rungs, not damped and open_between(report.equilibrium)
         self.known: dict[Expr, ArraySigns] = {}
         demands = demands_of(report, grid, damped)
-        self.positive, self.nonzero, self.zero = ([*map(self._signs, group)] for group in demands[:3])
+        positive, nonzero, zero = ([*map(self._signs, group)] for group in demands[:3])
+        self.positive = [a for a in positive if a.everywhere() != 1]
+        self.nonzero = [a for a in nonzero if a.everywhere() not in (1, -1)]
+        self.zero = [a for a in zero if a.everywhere() != 0]
         self.alone = demands.alone
         self.unsafe = [a for a in map(grid.strange, grid.values) if a is not None]
 
@@ -73,7 +76,8 @@ class Decided:
             with np.errstate(all="ignore"):            # overflow is a value here
                 nowhere = self._nowhere(block)
                 self._decide(block, out, nowhere)
-                out[np.broadcast_to(self._doubtful(block), out.shape)] = UNDECIDED
+                if (doubtful := self._doubtful(block)) is not None:
+                    out[np.broadcast_to(doubtful, out.shape)] = UNDECIDED
             if nowhere is not None:
                 out[np.broadcast_to(nowhere, out.shape)] = INVALID
                 here = _place(block, *np.argwhere(out == INVALID)[0])
@@ -85,12 +89,11 @@ class Decided:
         wrong = [last(cut(a, block)) for a in self.unsafe]
         wrong += [signs(block) < 1 for signs in self.positive] + [signs(block) == 0 for signs in self.nonzero]
         wrong += [abs(signs(block)) == 1 for signs in self.zero]
-        found = [w for w in wrong if w.any()]
-        return reduce(np.logical_or, found) if found else None
+        return _where_one(wrong)
 
-    def _doubtful(self, block: Slices) -> Array:
-        """Return where it is not proved that the equilibrium exists."""
-        return _some_of(signs(block) == UNKNOWN for signs in (*self.positive, *self.zero))
+    def _doubtful(self, block: Slices) -> Array | None:
+        """Return where it is not proved that the equilibrium exists; None if nowhere."""
+        return _where_one([signs(block) == UNKNOWN for signs in (*self.positive, *self.zero)])
 
     def _decide(self, block: Slices, out: Array, nowhere: Array | None) -> None:
         """Write the verdicts in a block."""
@@ -101,7 +104,8 @@ class Decided:
             if signs.sufficed:
                 return
             between = out == 0
-            out[out == UNKNOWN] = UNDECIDED
+            if (unknown := out == UNKNOWN).any():
+                out[unknown] = UNDECIDED
         elif self.damped:
             positive = self._holds(self.report.damped, block)
             out[...] = positive                        # not positive, and no exception: unstable
@@ -135,9 +139,10 @@ class Decided:
         """Return where it is proved that the equilibrium exists and lies between the two criteria."""
         sufficient, necessary = (self._holds(c, block)
                                  for c in (self.report.sufficient, self.report.necessary))
-        nowhere = self._nowhere(block)
-        found = (sufficient < 0) & (necessary > 0) & ~self._doubtful(block)
-        return found if nowhere is None else found & ~nowhere
+        found = (sufficient < 0) & (necessary > 0)
+        for excluded in (self._nowhere(block), self._doubtful(block)):
+            found = found if excluded is None else found & ~excluded
+        return found
 
     def _between(self, grid: Grid) -> tuple[Array | list[int], Array | list[int]]:
         """Return verdicts at points that the criteria leave open, and what decided each.
@@ -187,6 +192,12 @@ class Decided:
             return answered(known & holds, known & ~holds)
 
         return truth(criterion, compare, every, some)
+
+
+def _where_one(answers: Iterable[Array]) -> Array | None:
+    """Return where one of them is true; None if nowhere."""
+    found = [answer for answer in answers if answer.any()]
+    return reduce(np.logical_or, found) if found else None
 
 
 def _some_of(answers: Iterable[Array]) -> Array:
@@ -239,7 +250,8 @@ def _single(criterion: Criterion) -> Expr | None:
     return conditions[0].margin
 
 
-def _denominators(values: Sequence[Expr]) -> list[Expr]:
+@lru_cache(maxsize=256)
+def _denominators(values: tuple[Expr, ...]) -> list[Expr]:
     """Return what must not vanish for U and its derivatives to be finite."""
     found = []
     for value in values:
