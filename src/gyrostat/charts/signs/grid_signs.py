@@ -53,6 +53,7 @@ class ArraySigns:
         self.whole_numbers = _in_whole_numbers(program, grid)
         self.bound = float(error_bound(program, largest, _roundings(program, grid)))
         self.kept: tuple[Any, Array] | None = None
+        self.below = np.empty((0, 0), np.bool_)        # a buffer that all blocks of one shape use
         self.sufficed = False                          # whether the one bound was enough in the last block
         self.whole = program.steps[-1].axes == grid.full
         self.shape = tuple(n if i in program.steps[-1].axes else 1 for i, n in enumerate(grid.merged))
@@ -107,8 +108,11 @@ class ArraySigns:
                 self.kernel(block, out, self.bound)
                 return
             value = self.tiles.value(block)
-            above, below = value > self.bound, value < -self.bound
-        np.subtract(above.view(np.int8), below.view(np.int8), out=out)
+            if self.below.shape != value.shape:
+                self.below = np.empty(value.shape, np.bool_)
+            np.greater(value, self.bound, out=out.view(np.bool_))
+            np.less(value, -self.bound, out=self.below)
+        np.subtract(out, self.below.view(np.int8), out=out)
 
     def _decide(self, block: Slices, signs: Array) -> None:
         """Decide what is 0 in a block, some points at a time.
