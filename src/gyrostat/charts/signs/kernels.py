@@ -21,7 +21,7 @@ from ..grids import Slices
 from .straightline import Step
 from .tiles import Tiles
 
-SIGN = "1 if {0} > bound else -1 if {0} < -bound else 0"                    # the sign of a value {0}, 0 if it is not proved
+SIGN = "1 if {0} > bound else -1 if {0} < -bound else 0"     # of a value {0}; 0 if not proved
 _SYMBOLS = {"add": "+", "subtract": "-", "multiply": "*"}
 
 

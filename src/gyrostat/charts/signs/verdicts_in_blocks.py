@@ -37,8 +37,9 @@ class Demands(NamedTuple):
 def demands_of(report: Report, grid: Grid, damped: bool) -> Demands:
     """Return the demands of a report on the numbers of a grid."""
     eq, alone = report.equilibrium, None if damped else _single(report.sufficient)
+    denominators = _denominators(tuple(eq.field_values))
     return Demands((*eq.existence(), *(s for s in grid.values if s.is_positive)),
-                   tuple(e for e in _denominators(tuple(eq.field_values)) if e.free_symbols <= grid.values.keys()),
+                   tuple(e for e in denominators if e.free_symbols <= grid.values.keys()),
                    tuple(eq.constraints),
                    alone if alone is not None and alone == _single(report.necessary) else None)
 
