@@ -35,7 +35,7 @@ def writer(expression: Expr, relation: Relation | None, grid: Grid, backend: str
 
     tiles = Tiles(program_of(expression, grid.axes), grid.full, read, kind)
     if backend == "numba" and tiles.inner and relation in _COMPILED:
-        return Kernel(tiles, _COMPILED[relation], spent)
+        return Kernel(tiles, [_COMPILED[relation]], spent)
 
     def write(block: Slices, out: Array) -> None:
         if relation is not None:
