@@ -109,6 +109,9 @@ class Named(Protocol):
     def values(self, number: Callable[[Expr], Any]) -> Mapping[Symbol, Any]:
         """Return the numbers by name, if number gives those of the scene in the arithmetic."""
 
+    def __hash__(self) -> int:
+        """Programs are kept by it."""
+
 
 def program_of(margin: Expr, axes: Mapping[Symbol, Axes], named: Named | None = None) -> Program:
     """Return the program of a polynomial in symbols and functions, in the order that suits a grid.
