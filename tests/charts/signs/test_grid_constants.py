@@ -9,8 +9,8 @@ from sympy import Rational, sqrt
 import gyrostat as gs
 from gyrostat.algebra.reals.exact import sign
 from gyrostat.charts.grids import grid_of
+from gyrostat.charts.programs.straightline import Writer, _program, program_of
 from gyrostat.charts.signs.grid_constants import LONG, with_constants
-from gyrostat.charts.signs.straightline import Writer, _program, program_of
 
 U1, U2, OMEGA, SIGMA = map(gs.symbol, ("u1", "u2", "omega", "sigma"))
 

@@ -10,9 +10,9 @@ from sympy import Expr, Rational, Symbol
 
 from ...algebra.enclosures.double_double import Twofold
 from ...algebra.enclosures.floats import Array, in_floats
+from ..programs.rounding import error_bound
+from ..programs.straightline import program_of
 from ..signs.compiled_margins import compile_margin
-from ..signs.rounding import error_bound
-from ..signs.straightline import program_of
 from .crossings import Sign, edges, joined, pieces, zeros
 
 Verdicts = Callable[[Array, Array], Array]

@@ -12,14 +12,14 @@ from ...stability.criteria.conditions import Criterion
 from ...stability.criteria.truth import Relation, truth
 from ..codes import STABLE, UNSTABLE
 from ..grids import Grid, Slices, places
+from ..programs.kernels import Kernel
+from ..programs.leaves import Leaves
+from ..programs.rounding import error_bounds
+from ..programs.straightline import Named, programs_of
+from ..programs.tiles import Tiles
 from .grid_constants import with_constants
 from .grid_signs import TOGETHER, UNKNOWN, ArraySigns
-from .kernels import Kernel
-from .leaves import Leaves
-from .rounding import error_bounds
-from .straightline import Named, programs_of
 from .three_valued import answered, every, some
-from .tiles import Tiles
 
 OPEN = 0                                               # both criteria leave it open
 

@@ -18,9 +18,9 @@ from ...stability.theorems.boundary import Boundary
 from ...stability.theorems.two_directions import may_lie_on_curve, open_between
 from ..codes import CODE_OF, INVALID, RUNGS, STABLE, UNDECIDED, UNSTABLE
 from ..grids import Grid, Slices, cut, last, places
+from ..programs.quotients import plainly_positive
 from .criteria_codes import OPEN, CriteriaCodes, single_margin
 from .grid_signs import TOGETHER, UNKNOWN, ArraySigns, dyadic_rational, may_vanish
-from .quotients import plainly_positive
 from .stabilized_points import held
 
 

@@ -9,7 +9,7 @@ from ...algebra.enclosures.balls import ball
 from ...algebra.enclosures.floats import Array
 from ...algebra.enclosures.precision import ONE_AT_A_TIME
 from ..grids import Grid, Slices, cut
-from .given_columns import largest_size
+from ..signs.given_columns import largest_size
 from .straightline import Program
 
 PRECISION = 128                                        # bits of the first balls

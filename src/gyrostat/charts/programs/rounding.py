@@ -51,7 +51,7 @@ def error_bound(program: Program, magnitudes: Mapping[Expr, Magnitude], rounding
     Examples
     --------
     >>> import gyrostat as gs
-    >>> from gyrostat.charts.signs.straightline import program_of
+    >>> from gyrostat.charts.programs.straightline import program_of
     >>> x, y = gs.symbol("x"), gs.symbol("y")
     >>> program = program_of(x**2 - y, {})
     >>> bool(2.0**-51 < error_bound(program, {x: 1.0, y: 1.0}, {}) < 2.0**-49)
