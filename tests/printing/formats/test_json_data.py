@@ -3,8 +3,10 @@ import json
 
 import pytest
 from slow import slow
+from sympy import CRootOf, Float, Rational, Symbol, pi, sqrt
 
 from gyrostat.cli.parser import main
+from gyrostat.printing.formats.exact_text import exact_text
 from gyrostat.printing.formats.json_data import json_text
 from gyrostat.version import DOCUMENT_FORMAT
 
@@ -26,3 +28,12 @@ def test_no_document_holds_what_json_lacks():
     """NaN and Infinity are refused, not written."""
     with pytest.raises(ValueError, match="JSON compliant"):
         json_text({"x": float("nan")})
+
+
+def test_an_exact_text_is_that_of_the_number():
+    """The polynomial of a root is read once; a sum with two roots, a power, a quotient look as by str."""
+    x = Symbol("x", real=True)
+    a, b = (CRootOf(x**5 - 5 * x + c, 1) for c in (1, 3))
+    for number in (a, a**2 - 3 * a + 1, -a, (a - b) / (2 - a * b**3), sqrt(2 + a) * pi, Rational(-1, 3),
+                   Float("0.1", 30)):
+        assert exact_text(number) == str(number)
