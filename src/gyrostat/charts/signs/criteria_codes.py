@@ -13,12 +13,12 @@ from ...stability.criteria.truth import Relation, truth
 from ..codes import STABLE, UNSTABLE
 from ..grids import Grid, Slices, places
 from ..programs.kernels import Kernel
-from ..programs.leaves import Leaves
 from ..programs.rounding import error_bounds
 from ..programs.straightline import Named, programs_of
 from ..programs.tiles import Tiles
 from .grid_constants import with_constants
 from .grid_signs import TOGETHER, UNKNOWN, ArraySigns
+from .leaves import Leaves
 from .three_valued import answered, every, some
 
 OPEN = 0                                               # both criteria leave it open

@@ -16,11 +16,11 @@ from ...algebra.enclosures.rationals import to_flint, to_sympy
 from ...algebra.reals.exact import sign
 from ..grids import Grid, Slices, gathered, places
 from ..programs.kernels import SIGN, Kernel
-from ..programs.leaves import PRECISION, Leaves, ball_of
 from ..programs.rounding import error_bound, rounded
 from ..programs.straightline import Named, program_of
 from ..programs.tiles import Tiles
 from .dyadic import dyadic_signs
+from .leaves import PRECISION, Leaves, ball_of
 
 UNKNOWN = 2                                            # no sign is proved
 TOGETHER = 2**14                                       # points, of which all steps fit a cache

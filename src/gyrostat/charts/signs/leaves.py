@@ -9,8 +9,8 @@ from ...algebra.enclosures.balls import ball
 from ...algebra.enclosures.floats import Array
 from ...algebra.enclosures.precision import ONE_AT_A_TIME
 from ..grids import Grid, Slices, cut
-from ..signs.given_columns import largest_size
-from .straightline import Program
+from ..programs.straightline import Program
+from .given_columns import largest_size
 
 PRECISION = 128                                        # bits of the first balls
 
