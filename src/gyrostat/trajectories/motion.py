@@ -21,9 +21,8 @@ from .summary import attributes, conserved, frequencies, gained, lost, period, r
 class Motion:
     """The state of a scene at any time: call it with times.
 
-    motion(t), t [T] of any shape, has the shape (..., n), in the order of scene.space.coordinates: in
-    doubles, interpolated to the last bits in rows of 16384 equidistant times or more; or, with a precision,
-    in mpmath.mpf at exact numbers t. It is made by trajectories.motion.
+    motion(t), t [T] of any shape, has the shape (..., n), in the order of scene.space.coordinates; in
+    doubles, in long equidistant rows interpolated to the last bits; with a precision in mpmath.mpf.
 
     Parameters
     ----------
