@@ -24,13 +24,21 @@ from ...mechanics.scenes.system import System, names_of_scene
 from ...notation import symbol
 from ...registry import Letters
 from ..notion import Notion
-from .amended_form import UPPER, AmendedForm, dot, of_forms, reduced_inertia, second_variation, with_multiplier
+from .amended_form import (
+    UPPER,
+    AmendedForm,
+    dot,
+    of_forms,
+    reduced_inertia,
+    second_variation,
+    with_multiplier,
+)
 from .conditions import Condition, Criterion
 from .energy_casimir import blocks
 from .energy_casimir import second_variation as variation_on_slice
 from .numbers_asked import names_in
 
-SHORT = 25                                                 # terms of a trace with which margins are written out
+SHORT = 25                                                 # terms of t with which margins are written out
 
 
 class Named:
@@ -76,7 +84,8 @@ class ClosedForm:
         """
         inertia, rotor, hessian, place, omega, mu = self.forms
         # components of k that are neither numbers nor names have the names k1, k2, k3
-        k = [x if x.is_Atom else name for x, name in zip(place, self.equilibrium.system.space.coordinates[3:])]
+        names = self.equilibrium.system.space.coordinates[3:]
+        k = [x if x.is_Atom else name for x, name in zip(place, names)]
         along = [dot(row, k) for row in inertia]
         v = [2 * omega * a + l for a, l in zip(along, rotor)]
         own = self.named

@@ -55,7 +55,7 @@ class Derived(Shown, Stored):
 
     @cached_property
     def closed(self) -> "ClosedForm | None":
-        """The names in which the conditions are written, if they are too long to be written out; else None."""
+        """The names in which conditions are written if they are too long to be written out; else None."""
         return None if self.expanded else in_names(self.equilibrium)
 
     @cached_property
@@ -186,7 +186,9 @@ class Derived(Shown, Stored):
     @cached_property
     def compared(self) -> tuple[str, ...]:
         """The names in the two criteria: without one of them there is no verdict."""
-        return self.closed.required if self.closed else names_needed(self.equilibrium, (self.necessary, self.sufficient))
+        if self.closed:
+            return self.closed.required
+        return names_needed(self.equilibrium, (self.necessary, self.sufficient))
 
     @cached_property
     def required(self) -> tuple[str, ...]:
