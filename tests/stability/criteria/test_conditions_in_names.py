@@ -89,7 +89,7 @@ def test_the_names_are_the_invariants_of_a_tensor_of_six_letters(any_tensor, mom
 
 
 def form_across(k, numbers):
-    """A basis of the plane across k, its squares of length, and A, G and K without D²U there, in fractions."""
+    """A basis of the plane across k, its squares of length, and A, G, K without D²U there, in fractions."""
     inertia, rotor, omega, sigma = numbers
     n = min(range(3), key=lambda n: abs(k[n]))
     e = [Fraction(i == n) for i in range(3)]
@@ -187,7 +187,7 @@ def test_a_tensor_of_six_letters_is_printed_in_names(any_tensor):
 
 
 def test_a_name_is_solved_for_as_in_the_polynomials(curved):
-    """The set of sigma for which a rotation is stable, its ends algebraic: from the names, and written out."""
+    """The sigma for which a rotation is stable, with algebraic ends: from the names, and written out."""
     numbers = {"u1": "1/2", "u2": "1/3", "omega": 2}
     numbers |= {"b11": 1, "b12": -1, "b13": 0, "b22": 2, "b23": 1, "b33": -3}
     ours, theirs = (gs.stabilizing_set(report, "sigma", numbers) for report in (curved, curved.written_out))

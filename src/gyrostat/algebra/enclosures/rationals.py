@@ -30,4 +30,4 @@ def to_sympy(number: fmpq | Fraction | float) -> Rational:
     """
     if isinstance(number, fmpq):
         return Rational.from_coprime_ints(int(number.p), int(number.q))
-    return Rational(*number.as_integer_ratio())
+    return Rational.from_coprime_ints(*map(int, number.as_integer_ratio()))

@@ -106,7 +106,6 @@ def decided(report: Report, values: Mapping[str, Any], damped: bool = False, inv
         raise ArgumentError(f"backend = {backend!r} is neither 'numpy' nor 'numba': choose one")
     if backend == "numba":
         optional("numba", "fast")
-    report = report.written_out
     given = {str(name): value for name, value in values.items()}
     grid = grid_for(report, given, finite=False, damped=damped)
     result = prepared(out, grid.shape, np.int8)

@@ -3,12 +3,12 @@
 Each name stands for a vector or a matrix of the amended potential (AmendedForm). In any direction, and
 wherever the trace is long, conditions are written in these names: written out they would be too long to read.
 """
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 from flint import fmpq
-from sympy import Expr, Matrix, sympify
+from sympy import Expr, Matrix, Symbol, sympify
 
 from ..._cached import cached_property
 from ...algebra.enclosures.rationals import to_sympy
@@ -143,6 +143,11 @@ class ClosedForm:
         """Return numbers with those of t, s, p and q besides, in which the conditions are written."""
         own = self.named
         return numbers.joined(zip((own.trace, own.determinant, own.p, own.q), self.at(numbers)))
+
+    def values(self, number: Callable[[Expr], Any]) -> dict[Symbol, Any]:
+        """Return t, s, p and q by name, if number gives expressions of the family in an arithmetic."""
+        found, own = with_multiplier(*_shaped([number(e) for e in self._flat])), self.named
+        return dict(zip((own.trace, own.determinant, own.p, own.q), found))
 
     @cached_property
     def momentum_across(self) -> list[Expr]:

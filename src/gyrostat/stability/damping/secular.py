@@ -105,10 +105,8 @@ class Secular:
         free to spin; if one of each of the other groups does, the damping does not reach every motion of k. A
         group is () if it vanishes nowhere.
         """
-        if self.closed:
-            return (self.closed.named.determinant,), *((e,) for e in self._torques)
         singular = Mul(*(block[-1] ** times for block, times in self._coefficients.items()))
-        values = (singular * self._rest if self.variation.modulo else singular, *self._torques)
+        values = (singular * self._rest if self.criterion.modulo else singular, *self._torques)
         signs = signs_over(self.equilibrium, values)
         groups = [(margin, *even) for margin, even in map(signs.normal_form, values)]
         degenerate, *torques = (tuple(e for e in group if e == 0 or e.free_symbols) for group in groups)
