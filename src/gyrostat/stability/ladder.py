@@ -48,9 +48,9 @@ class Ladder(Derived):
         -------
         Decision
         """
-        return self.by_rungs(Standing(self, numbers, margins))
+        return self._by_rungs(Standing(self, numbers, margins))
 
-    def by_rungs(self, standing: Standing) -> Decision:
+    def _by_rungs(self, standing: Standing) -> Decision:
         """Return the decision of the first rung that applies."""
         return next(step for step in RUNGS if step.applies(standing)).decides(standing)
 

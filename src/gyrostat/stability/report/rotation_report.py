@@ -78,10 +78,10 @@ class RotationReport(Report):
         """The second variation under internal damping, and what it decides."""
         return DampedRotation(self.equilibrium)
 
-    def by_rungs(self, standing: Standing) -> Decision:
+    def _by_rungs(self, standing: Standing) -> Decision:
         """Return the decision by t and s, then by p and q; else that of the rotation at these numbers."""
         if standing.sufficient or standing.necessary is False:
-            return super().by_rungs(standing)
+            return super()._by_rungs(standing)
         numbers = standing.numbers
         found = Report(placed(self.equilibrium, numbers)).decide(numbers, {})
         return replace(found, reason=f"at these numbers {found.reason}",
