@@ -22,7 +22,7 @@ class Motion:
     """The state of a scene at any time: call it with times.
 
     motion(t), t [T] of any shape, has the shape (..., n), in the order of scene.space.coordinates; in
-    doubles, or, with a precision, in mpmath.mpf at exact numbers t. It is made by trajectories.motion.
+    doubles, in long equidistant rows interpolated to the last bits; with a precision in mpmath.mpf.
 
     Parameters
     ----------
