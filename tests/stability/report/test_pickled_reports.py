@@ -29,8 +29,8 @@ CASES = {
     "a tensor in any direction": (lambda: rotation(LINEAR, gs.stereographic(), inertia=TENSOR,
                                                    gyrostatic_momentum=ROTOR), ROTATING),
     "k1, k2, k3": (lambda: rotation(LINEAR, gyrostatic_momentum=ROTOR),
-                   {"I1": 3, "I2": 4, "I3": 5, "l1": 0, "l2": 0, "l3": 1, "k1": "1/3", "k2": "2/3", "k3": "2/3",
-                    "omega": -1, "sigma": -20})}
+                   {"I1": 3, "I2": 4, "I3": 5, "l1": 0, "l2": 0, "l3": 1, "k1": "1/3", "k2": "2/3",
+                    "k3": "2/3", "omega": -1, "sigma": -20})}
 
 
 @pytest.mark.parametrize("case", CASES)
