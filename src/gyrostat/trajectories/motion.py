@@ -12,6 +12,7 @@ from ..errors import optional
 from ..mechanics.scenes.system import System
 from ..stability.criteria.number_notes import state_note
 from .columns import columns, dataset, euler, turns_of
+from .periods import nearest
 from .route import Route
 from .states_in_digits import states_in_digits, states_in_doubles
 from .summary import attributes, conserved, frequencies, gained, lost, period, rate, summary
@@ -55,7 +56,7 @@ class Motion:
     @cached_property
     def _start(self) -> Array:
         """The state at the time 0 in doubles."""
-        return np.array([float(x) for x in self.state])
+        return np.array([nearest(x) for x in self.state])
 
     def attitude(self, t: Any) -> Array:
         """Return R from the body to space, x_space = R x_body, in doubles.

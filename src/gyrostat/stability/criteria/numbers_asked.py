@@ -5,7 +5,7 @@ from typing import Any
 
 from sympy import Add, Expr, Rational, S, Symbol
 
-from ...algebra.enclosures.balls import ball, finite_ball
+from ...algebra.enclosures.balls import ball, finite_ball, is_undefined
 from ...algebra.reals.exact import Point, compiled, evaluate, sign_of_constant
 from ...algebra.text.numbers import exact_number, shown
 from ...algebra.text.quantities import not_mixed
@@ -142,7 +142,7 @@ def _exists(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> str:
         if not expression.free_symbols <= numbers.keys():
             continue
         value = evaluate(expression, numbers)
-        if value.is_finite is False or value.is_real is False or value is S.NaN:
+        if is_undefined(value):
             raise ValuesError(f"U or one of its derivatives, {expression}, is {shown(value)} there, not a "
                               "finite real number: choose another point")
     return doubt
