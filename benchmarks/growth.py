@@ -136,7 +136,7 @@ PANELS: dict[str, list[Curve]] = {
                           partial(grid, backend="numba")),
                          ("verdicts of E1, NumPy", (10**4, 10**5, 10**6, 10**7, 10**8),
                           partial(grid, backend="numpy"))],
-    "lines of a batch": [("decide --batch", (10, 100, 1000, 10000), batch)],
+    "lines of a batch": [("decide --batch", (10, 100, 1000, 4000), batch)],
     "rotors": [("all rotations of a free body", (1, 2, 4, 8, 16), rotors)],
 }
 
