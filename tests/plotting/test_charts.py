@@ -114,39 +114,6 @@ def test_spacing_is_seen_at_every_scale(e1, scale):
                                fixed={"I1": 1, "dU": scale**2}))
     corners = ax.images[0].edges[0]
     assert ((corners[:-1] < xs) & (xs < corners[1:])).all()
-    pixel = ax.transData.transform([(x, 0) for x in xs])
-    seen = [ax.images[0].get_cursor_data(Pixel(*at)) for at in pixel]
-    assert seen == ax.images[0].get_array()[4].tolist()
-
-
-class Pixel:
-    """Where a mouse points."""
-
-    def __init__(self, x, y):
-        self.x, self.y = x, y
-
-
-@pytest.mark.few(1)
-@pytest.mark.parametrize("turned", [False, True])
-@pytest.mark.parametrize("spacing", [np.linspace, widening])
-def test_every_pixel_has_the_colour_of_its_cell(e1, spacing, turned):
-    """The cell is found by distance: its value is the nearest to the centre of the pixel, in a row of others.
-
-    Beside the outermost cells there is nothing, also where axes are turned or show more than the chart.
-    """
-    xs, ys = spacing(-4, 4, 31), spacing(-2, 2, 23)
-    chart = stability_chart(e1, x=("pi3_0", xs), y=("l", ys), fixed={"I1": 1, "dU": 1})
-    ax = drawn(chart.drop_vars(["boundary_x", "boundary_y"]))
-    ax.set(xlim=(5, -3) if turned else (-3, 5), ylim=(-1.7, 1.9))
-    ax.set_axis_off()
-    pixels = pixels_of(ax)
-    left, below, right, above = ax.bbox.extents.round().astype(int)
-    for row in range(below, above, 7):
-        x, y = ax.transData.inverted().transform([(n + 0.5, row + 0.5) for n in range(left, right)]).T
-        codes = chart.verdict.values[np.argmin(abs(ys - y[0])), np.argmin(abs(xs[:, None] - x), axis=0)]
-        last = 1.5 * xs[-1] - 0.5 * xs[-2]
-        colours = [to_rgb(LOOKS[NAMES[code]][0]) if at < last else (1, 1, 1) for at, code in zip(x, codes)]
-        assert np.allclose(pixels[row, left:right], colours, atol=0.01)
 
 
 @pytest.mark.slow

@@ -25,14 +25,14 @@ class Cells(AxesImage):
     """
 
     def __init__(self, ax: Any, codes: Array, edges: tuple[Array, Array], **kwargs: Any):
-        super().__init__(ax, origin="lower", extent=[end for ends in edges for end in (ends[0], ends[-1])],
+        super().__init__(ax, origin="lower", extent=(edges[0][0], edges[0][-1], edges[1][0], edges[1][-1]),
                          **kwargs)
         self.edges = edges
         self.set_data(codes)
 
     def make_image(self, renderer: Any, magnification: float = 1.0, unsampled: bool = False) -> Any:
         """Return the pixels of the axes as colours, from below, and the place of the first."""
-        codes, box = np.asarray(self.get_array()), self.axes.bbox.extents * magnification
+        codes, box = np.asarray(self.get_array()), np.multiply(self.axes.bbox.extents, magnification)
         left, below, right, above = (int(end) for end in np.floor(box + 0.5))
         x, y = ((np.arange(*ends) + 0.5) / magnification for ends in ((left, right), (below, above)))
         column, row = self._cells(0, x), self._cells(1, y)
