@@ -88,8 +88,8 @@ def elliptic_functions(count: int) -> Callable[[], object]:
 def attitudes_by_newton(moments, rotor, rate: float, starts: int = 2000) -> np.ndarray:
     """(n, r) of the equilibria of a satellite that Newton's method ends at, from many frames at once.
 
-    t·Ir, t·(ω0 In + l) and r·(4 ω0 In + l) vanish; if the frame turns by a small θ, so that v becomes v + θ × v,
-    a·Ib changes by θ·(a × Ib + b × Ia).
+    t·Ir, t·(ω0 In + l) and r·(4 ω0 In + l) vanish; if the frame turns by a small θ, so that v becomes
+    v + θ × v, a·Ib changes by θ·(a × Ib + b × Ia).
     """
     moments, rotor, rate = (np.array(x, float) for x in (moments, rotor, rate))
     drawn = np.random.default_rng(0).normal(size=(2, starts, 3))
@@ -113,7 +113,7 @@ def attitudes_by_newton(moments, rotor, rate: float, starts: int = 2000) -> np.n
 def rotations_by_newton(moments, rotor, c, Q, level=None, rate=None, starts: int = 2000) -> np.ndarray:
     """(k, ω) of the rotations in U = c·k + k·Qk/2 that Newton's method ends at, from many k at once.
 
-    At a given rate or a given C1: c + Qk = ω l + ω² Ik + μ k, |k| = 1, and ω is the rate or ω k·Ik + l·k = C1.
+    c + Qk = ω l + ω² Ik + μ k and |k| = 1, where ω is the rate, or ω k·Ik + l·k = C1 is the level.
     """
     moments, rotor, c, Q = (np.array(x, float) for x in (moments, rotor, c, Q))
     rng, one = np.random.default_rng(0), np.ones((starts, 1))

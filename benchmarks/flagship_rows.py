@@ -134,29 +134,41 @@ def verdicts() -> Iterator[Row]:
 def lists() -> Iterator[Row]:
     """All equilibria with their decisions, for numbers of some digits."""
     def number(draw, low, digits):
-        """From low to low + 1/10; with 20 digits the denominators are unlike."""
+        """From low/10 to (low + 1)/10; with 20 digits the denominators are unlike."""
         if digits < 20:
             return Fraction(draw.randint(low * 10**digits, (low + 1) * 10**digits), 10 ** (digits + 1))
         return Fraction(low, 10) + Fraction(draw.randint(10**19, 10**20), draw.randint(10**21, 10**22))
 
     def body(digits):
         draw = random.Random(digits)
-        return gs.Gyrostat([number(draw, n, digits) for n in (10, 12, 14)],
-                           [number(draw, n, digits) for n in (2, 5, 8)])
+        return [[number(draw, n, digits) for n in (10, 12, 14)], [number(draw, n, digits) for n in (2, 5, 8)]]
 
     def all_of(scene, values):
         return [e.decision for e in gs.relative_equilibria(scene, values)]
 
     scripts, in_flint = baselines.characteristic_polynomials(), "6 × 6 spectra in flint"
+    by_newton = "Newton from 2000 starts, NumPy"
     for digits in (1, 16, 20):
-        satellite = gs.assemble(body(digits), gs.circular_orbit(1))
+        satellite = gs.assemble(gs.Gyrostat(*body(digits)), gs.circular_orbit(1))
         yield Row(f"list, satellite, numbers of length {digits}", in_flint,
                   partial(all_of, satellite, {}), scripts)
+        if digits == 1:
+            yield Row("list, satellite, numbers of length 1", by_newton, partial(all_of, satellite, {}),
+                      partial(baselines.attitudes_by_newton, *body(1), 1))
+    c, k = (0.1, 0.2, 0.3), [gs.symbol(f"k{n}") for n in (1, 2, 3)]
+    linear = sum(Fraction(n, 10) * x for n, x in enumerate(k, 1))
     for digits in (1, 16):
-        heavy = gs.assemble(body(digits), gs.general_potential(
-            sum(Fraction(n, 10) * gs.symbol(f"k{n}") for n in (1, 2, 3))))
+        heavy = gs.assemble(gs.Gyrostat(*body(digits)), gs.general_potential(linear))
         yield Row(f"list, given C1, numbers of length {digits}", in_flint,
                   partial(all_of, heavy, {"C1": 1}), scripts)
+    heavy = gs.assemble(gs.Gyrostat(*body(1)), gs.general_potential(linear))
+    yield Row("list, given C1, numbers of length 1", by_newton, partial(all_of, heavy, {"C1": 1}),
+              partial(baselines.rotations_by_newton, *body(1), c, np.zeros((3, 3)), level=1))
+    quadratic = gs.general_potential(linear + k[0] * k[1] / 5 + k[2] ** 2 / 4)
+    pulled = gs.assemble(gs.Gyrostat(*body(1)), quadratic)
+    Q = [[0, 0.2, 0], [0.2, 0, 0], [0, 0, 0.5]]
+    yield Row("list at a rate, quadratic U", by_newton, partial(all_of, pulled, {"omega": 1}),
+              partial(baselines.rotations_by_newton, *body(1), c, Q, rate=1))
 
 
 def derivations() -> Iterator[Row]:

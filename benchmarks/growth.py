@@ -171,6 +171,9 @@ def draw(panels: dict[str, dict[str, list[tuple[int, float]]]]) -> None:
             sizes, times = zip(*points)
             axes.loglog(sizes, [1e3 * t for t in times], marker=marker, label=name)
             axes.loglog(sizes, [1e3 * times[0] * n / sizes[0] for n in sizes], color="0.75", zorder=0)
+        if max(sizes) < 1000:
+            axes.set_xticks(sizes, map(str, sizes))
+            axes.set_xticks([], minor=True)
         axes.set(xlabel=grows, ylabel="CPU time, ms")
         axes.legend(fontsize="small")
     figure.savefig(PICTURE, dpi=130)
