@@ -21,6 +21,7 @@ import baselines
 import numpy as np
 import routes
 from matplotlib.figure import Figure
+from sympy import Matrix
 
 import gyrostat as gs
 from gyrostat.charts.boxes.certified_boxes import certified_chart
@@ -175,11 +176,15 @@ def derivations() -> Iterator[Row]:
     """From the scene to the criteria, again and again in one process."""
     yield Row("derivation of E1, E2, E3", "6 × 6 spectra in flint", routes.gyrostat_route,
               baselines.characteristic_polynomials())
-    def rotations():
-        report = in_any_direction()
+    def rotations(moments):
+        scene = gs.assemble(gs.Gyrostat(moments, tuple(map(gs.symbol, ("l1", "l2", "l3")))), linear_field())
+        report = gs.analyze(gs.permanent_rotation(scene, gs.stereographic()))
         return report.necessary, report.sufficient
-    yield Row("derivation, any direction", "6 × 6 spectra in flint", rotations,
-              baselines.characteristic_polynomials())
+    tensor = Matrix(3, 3, lambda i, j: gs.symbol(f"I{min(i, j) + 1}{max(i, j) + 1}"))
+    for name, moments in (("principal moments", tuple(map(gs.symbol, ("I1", "I2", "I3")))),
+                          ("a tensor of names", tensor)):
+        yield Row(f"derivation, any direction, {name}", "6 × 6 spectra in flint", partial(rotations, moments),
+                  baselines.characteristic_polynomials())
 
 
 def charts() -> Iterator[Row]:
