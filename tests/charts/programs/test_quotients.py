@@ -21,13 +21,13 @@ class Numbers:
         self.formulas = formulas
 
     def values(self, number):
-        given = map(number, (x / (1 + x**2), y**2 / I1 - z, (x - 2 * z) / (y - x), 3 + x**2))
+        given = map(number, (x / (1 + x**2), y**2 / I1 - z / 2, (x - 2 * z) / (y - x), 3 + x**2))
         return dict(zip((a, b, c, d, e), (f(*values) for values in [[*given]] for f in self.formulas)))
 
 
 NAMED = Numbers(lambda p, q, r, s: p * q - r, lambda p, q, r, s: (p + r) / s - q**2 / 3,
-                lambda p, q, r, s: (p + r) / s * s - (r + p), lambda p, q, r, s: 5 * p**2 - p * p * 4 - p**2,
-                lambda p, q, r, s: -q / (s * s) + (1 - p) * Fraction(2, 7))
+                lambda p, q, r, s: (p + r) / s - (r + p) / s, lambda p, q, r, s: 5 * p**2 - p * p * 4 - p**2,
+                lambda p, q, r, s: -q / (s * s) + (1 - p) * Fraction(2, 7) - s * r)
 
 
 def sign(value):
