@@ -130,19 +130,28 @@ def quotient(expression: Expr, writer: "Writer") -> Any:
     """
     if isinstance(expression, Rational):
         return Fraction(int(expression.p), int(expression.q))
+    powers: dict[int, int] = {}
     ring = Ring([expression])
     top, bottom = ring.fraction(expression)
     top, bottom = cancel(ring.reduce(top), ring.reduce(bottom))
     content, factors = bottom.factor()
-    powers: dict[int, int] = {}
+    scale = 1 / Fraction(int(content.p), int(content.q))
     for factor, n in factors:
         if not plainly_positive(ring, factor):
             top, factor, n = (top * factor if n % 2 else top), factor**2, -(-int(n) // 2)
-        step, _ = writer.write(readable(ring.expression(factor)))
+        factor, whole = _whole(factor)
+        step, negative = writer.write(readable(ring.expression(factor)))
+        step = writer.step("negative", (step,)) if negative else step
         writer.positive.add(step)
-        powers[step] = powers.get(step, 0) - int(n)
-    scale, rest = readable(ring.expression(top / content)).as_coeff_Mul(rational=True)
-    return Quotient(writer, Fraction(1, int(scale.q)), writer.write(rest * int(scale.p)), powers)
+        powers[step], scale = powers.get(step, 0) - int(n), scale * whole**int(n)
+    top, whole = _whole(top)
+    return Quotient(writer, scale / whole, writer.write(readable(ring.expression(top))), powers)
+
+
+def _whole(polynomial: fmpq_mpoly) -> tuple[fmpq_mpoly, int]:
+    """Return the polynomial times a whole number by which all of its coefficients are whole, and the number."""
+    number = lcm(1, *(int(c.q) for c in polynomial.coeffs()))
+    return polynomial * number, number
 
 
 def plainly_positive(ring: Ring, polynomial: fmpq_mpoly) -> bool:
