@@ -1,10 +1,11 @@
 """The stability analysis of one equilibrium, and its verdicts at exact numbers."""
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 from sympy import Expr
 
+from ..._cached import cached_property
 from ..._lazy import loaded
 from ...algebra.reals.exact import Point
 from ...arguments import checked
@@ -16,7 +17,6 @@ from ..decision import Decision, undecided, with_margins
 from ..ladder import Ladder
 
 if TYPE_CHECKING:
-    from ..criteria.closed_form import ClosedForm
     from ..normal_forms.d4_along_family import Window
     from ..normal_forms.normal_form import NormalForm
 
@@ -37,10 +37,10 @@ class Report(Ladder):
     ('I1', 'l', 'm0', 'pi3_0')
     """
 
-    @property
-    def closed(self) -> "ClosedForm | None":
-        """The names in which conditions of permanent rotations in any direction are written; else None."""
-        return None
+    @cached_property
+    def written_out(self) -> "Report":
+        """The report with its conditions written out, polynomials in the names of the family; or itself."""
+        return self if self.closed is None else replace(self, expanded=True)
 
     @property
     def along(self) -> "Report | None":
