@@ -80,7 +80,8 @@ def test_margins_share_their_steps():
     program = programs_of((a, b, c), {}, named)
     assert len(set(program.results)) == 1
     alone = program_of(b, {}, named)
-    assert len(alone.steps) == len(program.steps) and alone.needed(alone.outcomes) == {*range(len(alone.steps))}
+    assert len(alone.steps) == len(program.steps)
+    assert alone.needed(alone.outcomes) == {*range(len(alone.steps))}
 
 
 def test_what_is_no_polynomial_in_named_numbers_is_refused():

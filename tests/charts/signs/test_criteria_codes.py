@@ -70,7 +70,7 @@ def test_one_loop_says_the_same(sufficient, necessary):
 
 
 def test_doubles_decide_in_one_loop(monkeypatch):
-    """Beside the zeros no sign of a single margin is asked; the second stage is done where the first fails."""
+    """Beside the zeros no sign of a single margin is asked; the second stage is done where it has to be."""
     pair = criterion(Notion.FORMAL, [[(x + y - 1, ())]]), criterion(Notion.SPECTRAL, [[(x**2 - y, ())]])
     values = {"x": np.linspace(-2, 2, 41)[:, None] + 1 / 64, "y": np.linspace(-2, 2, 700) + 1 / 128}
     expected = codes_of(*pair, values, "numpy")

@@ -149,7 +149,7 @@ def quotient(expression: Expr, writer: "Writer") -> Any:
 
 
 def _whole(polynomial: fmpq_mpoly) -> tuple[fmpq_mpoly, int]:
-    """Return the polynomial times a whole number by which all of its coefficients are whole, and the number."""
+    """Return the polynomial times a number by which all coefficients are whole, and the number."""
     number = lcm(1, *(int(c.q) for c in polynomial.coeffs()))
     return polynomial * number, number
 

@@ -8,7 +8,7 @@ Bürgisser, Clausen & Shokrollahi, Algebraic Complexity Theory (1997), chapter 4
 """
 import operator
 from collections import Counter
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import lru_cache
 from itertools import combinations
