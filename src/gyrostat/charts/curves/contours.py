@@ -10,9 +10,9 @@ from sympy import Expr, Rational, Symbol
 from ...algebra.enclosures.double_double import Twofold
 from ...algebra.enclosures.floats import Array, in_floats
 from ..grids import places
+from ..programs.rounding import error_bound, rounded
+from ..programs.straightline import program_of
 from ..signs.grid_signs import TOGETHER, UNKNOWN
-from ..signs.rounding import error_bound, rounded
-from ..signs.straightline import program_of
 from .crossings import Places, Sign, edges, joined, pieces, zeros
 
 Verdicts = Callable[[Array, Array], Array]

@@ -10,7 +10,7 @@ from typing import Any
 from sympy import Expr, NumberSymbol, Pow, Rational, Symbol, exp, log
 
 from ...algebra.text.numbers import exact_number, shown
-from ...charts.signs.straightline import Axes, program_of
+from ...charts.programs.straightline import Axes, program_of
 from ...errors import GyrostatError, ScopeError
 from ...mechanics.equilibrium.unit_vectors import in_any_direction
 from ...notation import symbol

@@ -3,12 +3,12 @@
 Written out in the names of the scene they would be too long: each name stands for a vector or a matrix of the
 amended potential (AmendedForm).
 """
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 from flint import fmpq
-from sympy import Expr, Matrix, Rational, S
+from sympy import Expr, Matrix, Rational, S, Symbol
 
 from ..._cached import cached_property
 from ...algebra.reals.exact import Point, compiled, evaluate
@@ -106,6 +106,11 @@ class ClosedForm:
             return with_multiplier(*_shaped([evaluate(e, numbers) for e in self._flat]))
         found = with_multiplier(*_shaped(rational))
         return AmendedForm(*(Rational(int(x.p), int(x.q)) for x in found))
+
+    def values(self, number: Callable[[Expr], Any]) -> dict[Symbol, Any]:
+        """Return t, s, p and q by name, if number gives expressions of the family in an arithmetic."""
+        found, own = with_multiplier(*_shaped([number(e) for e in self._flat])), self.named
+        return dict(zip((own.trace, own.determinant, own.p, own.q), found))
 
     @cached_property
     def momentum_across(self) -> list[Expr]:
