@@ -20,8 +20,17 @@ def signs_over(eq: Equilibrium, expressions: Iterable[Expr]) -> Signs:
 
 
 def rows_at_point(eq: Equilibrium, matrix: ImmutableMatrix) -> list[list[Expr]]:
-    """Return the entries of a matrix, each at the equilibrium."""
-    return [[entry if entry.is_Number else eq.at_point(entry) for entry in row] for row in matrix.tolist()]
+    """Return the entries of a matrix, each at the equilibrium; they are placed there once."""
+    placed = _placed(eq)
+    if matrix not in placed:
+        placed[matrix] = [[entry if entry.is_Number else eq.at_point(entry) for entry in row]
+                          for row in matrix.tolist()]
+    return placed[matrix]
+
+
+@once
+def _placed(eq: Equilibrium) -> dict[ImmutableMatrix, list[list[Expr]]]:
+    return {}
 
 
 @once

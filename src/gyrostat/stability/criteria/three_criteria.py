@@ -4,10 +4,12 @@ from collections.abc import Iterable, Sequence
 from sympy import Expr, Matrix, S
 
 from ..._lazy import loaded
+from ...algebra.rings.matrices import applied
 from ...algebra.rings.polynomials import lowest_terms
 from ...algebra.solving.margins import Signs
 from ...arguments import checked
 from ...mechanics.equilibrium.derivation_ring import rows_at_point, signs_over
+from ...mechanics.equilibrium.derived_once import once
 from ...mechanics.equilibrium.equilibrium import Equilibrium
 from ...mechanics.scenes.kind import Kind
 from ..notion import Notion
@@ -157,10 +159,11 @@ def secular_criterion(variation: SecondVariation) -> Criterion:
     return _definite(variation, Notion.SECULAR, minors, _signs(variation, minors), (1,))
 
 
+@once
 def positive(eq: Equilibrium) -> tuple[Expr, ...]:
     """Return what is positive at every equilibrium: k·Ik, if there is a field of one direction."""
-    k = Matrix(() if eq.system.coupled else eq.point[3:])
-    return (eq.at_point(k.dot(eq.system.body.tensor * k)),) if k else ()
+    k = () if eq.system.coupled else eq.point[3:]
+    return (eq.at_point(*applied([applied(eq.system.body.tensor.tolist(), k)], k)),) if k else ()
 
 
 def across(variation: SecondVariation) -> list[Minor]:
