@@ -12,7 +12,6 @@ from ..errors import optional
 from ..mechanics.scenes.system import System
 from ..stability.criteria.number_notes import state_note
 from .columns import columns, dataset, euler, turns_of
-from .periods import nearest
 from .route import Route
 from .states_in_digits import states_in_digits, states_in_doubles
 from .summary import attributes, conserved, frequencies, gained, lost, period, rate, summary
@@ -22,7 +21,7 @@ class Motion:
     """The state of a scene at any time: call it with times.
 
     motion(t), t [T] of any shape, has the shape (..., n), in the order of scene.space.coordinates; in
-    doubles, or, with a precision, in mpmath.mpf at exact numbers t. It is made by trajectories.motion.
+    doubles, in long equidistant rows interpolated to the last bits; with a precision in mpmath.mpf.
 
     Parameters
     ----------
@@ -50,13 +49,8 @@ class Motion:
     def __call__(self, t: Any) -> Array:
         """Return the states at the times t [T], shape (..., n)."""
         if self._digits is None:
-            return states_in_doubles(self._route, self._start, t)
+            return states_in_doubles(self._route, self.state, t)
         return states_in_digits(self._route, self.state, t, self._digits)
-
-    @cached_property
-    def _start(self) -> Array:
-        """The state at the time 0 in doubles."""
-        return np.array([nearest(x) for x in self.state])
 
     def attitude(self, t: Any) -> Array:
         """Return R from the body to space, x_space = R x_body, in doubles.

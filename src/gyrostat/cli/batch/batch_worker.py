@@ -16,15 +16,13 @@ from typing import Any
 from ...errors import GyrostatError, ValuesError
 from ...questions.answers.answer_list import answers_data
 from ...questions.answers.answers import answers_at
-from ...questions.given_numbers import numbers_of
-from ...questions.scene_texts import scene_of
-from ..options.scene_files import asked_of
 from ..output import internal
 from ..time_limit import held_back, left_alone, limited
-from .batch_lines import question
+from .batch_lines import Questions
 
 # an object of JSON, and the reason where the line is not answered
 Answer = tuple[str, str | None]
+_JSON = json.JSONEncoder(allow_nan=False)              # json.dumps makes an encoder for each answer
 
 
 def reason(error: BaseException) -> str:
@@ -41,8 +39,7 @@ def serve(connection: Connection, given: argparse.Namespace) -> None:
     left_alone()
     limited(given.timeout)
     try:
-        defaults = numbers_of(given.values)
-        scene_of(asked_of(given, defaults))            # a wrong one would be wrong in every line
+        questions = Questions(given)
     except Exception as error:
         connection.send(reason(error))
         return
@@ -53,8 +50,8 @@ def serve(connection: Connection, given: argparse.Namespace) -> None:
             for n, line in connection.recv():
                 limited(given.timeout)
                 try:
-                    data = answers_data(answers_at(*question(line, given, defaults)))
-                    answer: Answer = json.dumps({"line": n} | data, allow_nan=False), None
+                    data = answers_data(answers_at(*questions.of(line)))
+                    answer: Answer = _JSON.encode({"line": n} | data), None
                 # every line answers for itself, whatever it brings about
                 except Exception as error:
                     answer = refusal(n, reason(error))
@@ -65,7 +62,7 @@ def serve(connection: Connection, given: argparse.Namespace) -> None:
 
 def refusal(n: int, why: str) -> Answer:
     """The answer to a line that is not answered."""
-    return json.dumps({"line": n, "error": why}), why
+    return _JSON.encode({"line": n, "error": why}), why
 
 
 def _within(connection: Connection, seconds: float | None) -> bool:

@@ -3,6 +3,7 @@ from collections.abc import Iterable
 
 from sympy import Expr, ImmutableMatrix, Symbol
 
+from ...algebra.rings.matrices import applied
 from ...algebra.solving.margins import Signs
 from ...notation import symbol
 from .derived_once import once
@@ -31,6 +32,13 @@ def rows_at_point(eq: Equilibrium, matrix: ImmutableMatrix) -> list[list[Expr]]:
 @once
 def _placed(eq: Equilibrium) -> dict[ImmutableMatrix, list[list[Expr]]]:
     return {}
+
+
+@once
+def positive(eq: Equilibrium) -> tuple[Expr, ...]:
+    """Return what is positive at every equilibrium: k·Ik, if there is a field of one direction."""
+    k = () if eq.system.coupled else eq.point[3:]
+    return (eq.at_point(*applied([applied(eq.system.body.tensor.tolist(), k)], k)),) if k else ()
 
 
 @once

@@ -1,7 +1,7 @@
 """Writes an exact number as text, as str does, but reads the polynomial of a root once for all its places."""
 from functools import lru_cache
 
-from sympy import CRootOf, Expr
+from sympy import CRootOf, Expr, Rational
 from sympy.printing.str import StrPrinter
 
 
@@ -25,5 +25,7 @@ def exact_text(number: Expr) -> str:
     >>> exact_text(1 - CRootOf(x**3 - x - 1, 0) ** 2)
     '1 - CRootOf(x**3 - x - 1, 0)**2'
     """
+    if isinstance(number, Rational):                       # the printer takes longer than a verdict
+        return str(number.p) if number.q == 1 else f"{number.p}/{number.q}"
     text: str = _Printer().doprint(number)
     return text

@@ -108,7 +108,7 @@ def decision_data(decision: Decision) -> dict[str, Any]:
             "modulo": strings(decision.modulo), "level": strings(decision.level),
             "locus": decision.locus, "rung": decision.rung.value,
             "proved": decision.proved, "reason": decision.reason,
-            "margins": {_text(margin): str(value) for margin, value in decision.margins},
+            "margins": {_text(margin): exact_text(value) for margin, value in decision.margins},
             "certificate": {str(F): str(a) for F, a in decision.certificate},
             "note": decision.note}
 

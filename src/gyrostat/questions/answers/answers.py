@@ -16,12 +16,11 @@ from ...mechanics.scenes.system import System, at_numbers, names_of_scene
 from ...notation import symbol
 from ...printing.formats.si_units import RATE, unit_of
 from ...stability.decision import Decision
-from ...stability.report.report import Report
+from ...stability.report.report import Report, both_verdicts
 from ..scene_texts import Asked, scene_of
 from .equilibria import (
     AT_REST,
     Missing,
-    both_verdicts,
     enough,
     its_own,
     known_names,
@@ -208,8 +207,11 @@ def _decided(report: Report, numbers: Mapping[str, Expr]) -> Answer:
 
 def _librations(report: Report, numbers: Mapping[str, Expr]) -> RelativeEquilibrium | None:
     """An Earth-pointing satellite, every name of which has a number, as one of all its attitudes."""
-    eq, known = report.equilibrium, {symbol(name): x for name, x in numbers.items()}
-    if eq.label != EARTH_POINTING.label or not names_of_scene(eq.system) <= known.keys():
+    eq = report.equilibrium
+    if eq.label != EARTH_POINTING.label:
+        return None
+    known = {symbol(name): x for name, x in numbers.items()}
+    if not names_of_scene(eq.system) <= known.keys():
         return None
     form = loaded("equilibria.finders.orbital_form:OrbitalForm")
     return RelativeEquilibrium(form(at_numbers(eq.system, known), eq.point[3:6], eq.point[6:]))

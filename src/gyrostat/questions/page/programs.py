@@ -104,6 +104,7 @@ def charted(report: Report, axes: Sequence[str]) -> Data:
         steps, names, positive, sufficient, necessary; or why the page draws nothing
     """
     try:
+        report = report.written_out
         _refuse(report, axes)
         writer = Writer({symbol(name): frozenset({n}) for n, name in enumerate(axes)})
         found = {"positive": [writer.write(e) for e in demands(report)],
