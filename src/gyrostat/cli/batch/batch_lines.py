@@ -21,7 +21,7 @@ from ...questions.scene_texts import Asked, scene_of
 from ..options.scene_files import asked_of
 from ..output import printed
 
-READ = 2**16                                           # bytes that are read at a time
+READ = 2**18                                           # bytes that are read at a time
 SCENES = 256                                           # that are kept, of lines that ask the same of them
 Numbered = tuple[int, bytes]
 

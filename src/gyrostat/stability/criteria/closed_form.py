@@ -21,7 +21,7 @@ from ...mechanics.equilibrium.equilibrium import Equilibrium, Relation
 from ...mechanics.equilibrium.standard_axes import seen
 from ...mechanics.equilibrium.unit_vectors import in_any_direction
 from ...mechanics.scenes.system import System, names_of_scene
-from ...notation import symbol
+from ...notation import Stored, symbol
 from ...registry import Letters
 from ..notion import Notion
 from .amended_form import (
@@ -60,7 +60,7 @@ class Named:
 
 
 @dataclass(frozen=True)
-class ClosedForm:
+class ClosedForm(Stored):
     """What decides a permanent rotation of a body in a field, by names that are defined in turn.
 
     Parameters
@@ -70,6 +70,7 @@ class ClosedForm:
     """
 
     equilibrium: Equilibrium
+    _carried = "named", "forms"
 
     @cached_property
     def named(self) -> Named:

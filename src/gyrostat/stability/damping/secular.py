@@ -21,6 +21,7 @@ from ...mechanics.equilibrium.derivation_ring import signs_over
 from ...mechanics.equilibrium.derived_once import once
 from ...mechanics.equilibrium.equilibrium import Equilibrium
 from ...mechanics.equilibrium.standard_axes import seen, seen_at
+from ...notation import Stored
 from ..criteria.conditions import Criterion, independent
 from ..criteria.energy_casimir import SecondVariation, blocks, secular_variation
 from ..criteria.numbers_asked import left_open, names_in, names_needed, names_of_motion
@@ -41,7 +42,7 @@ KEEPS = settled(True, KEPT, Rung.SECOND_VARIATION, Notion.SECULAR, growing=0)
 
 
 @dataclass(frozen=True)
-class Secular:
+class Secular(Stored):
     """The second variation with the Casimirs alone, and what it says under internal damping.
 
     If it is positive definite, the equilibrium is stable, asymptotically on its orbit if the damping reaches
@@ -68,6 +69,7 @@ class Secular:
 
     equilibrium: Equilibrium
     expanded: bool = False
+    _carried = "closed", "criterion", "compared", "required", "counted_by", "_coefficients", "exceptions"
 
     @cached_property
     def closed(self) -> "ClosedForm | None":

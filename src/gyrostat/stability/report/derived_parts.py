@@ -49,6 +49,8 @@ class Derived(Shown, Stored):
 
     equilibrium: Equilibrium
     expanded: bool = False
+    _carried = ("closed", "necessary", "sufficient", "recognised", "compared", "required", "parameters",
+                "secular")
 
     def __post_init__(self) -> None:
         require(self.equilibrium, Equilibrium, "the equilibrium")
