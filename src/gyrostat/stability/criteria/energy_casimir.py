@@ -7,7 +7,7 @@ from sympy import Expr, ImmutableMatrix, S, Symbol
 
 from ..._cached import cached_property
 from ..._display import Shown
-from ...algebra.rings.matrices import blocks, determinant, multiply, row_reduce
+from ...algebra.rings.matrices import blocks, determinant, immutable, multiply, row_reduce
 from ...arguments import checked
 from ...mechanics.equilibrium.coadjoint_orbit import (
     critical_integrals,
@@ -230,7 +230,7 @@ def restricted(eq: Equilibrium, slice_: tuple[ImmutableMatrix, tuple[Expr, ...]]
     """Return the second variation with given Casimirs and integrals, on a slice modulo its symmetries."""
     (basis, symmetries), nu = slice_, multipliers(eq, functions)
     ring, form, bottom = form_on(eq, basis, zip(functions, nu))
-    matrix = ImmutableMatrix(basis.cols, basis.cols, lambda i, j: ring.quotient(form[i][j], bottom))
+    matrix = immutable([[ring.quotient(entry, bottom) for entry in row] for row in form], basis.cols)
     free = tuple(value for j, value in enumerate(nu, 1) if value == symbol(f"nu{j}"))
     return SecondVariation(eq, basis, matrix, tuple(zip(functions, nu)), free, symmetries)
 
