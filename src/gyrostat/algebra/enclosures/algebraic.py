@@ -11,8 +11,8 @@ from flint import arb, fmpz_poly
 from sympy import Add, CRootOf, Expr, Integer, Mul, Pow, Rational, cos, cot, csc, pi, sec, sin, tan, totient
 from sympy.polys import Poly
 
+from ..._lazy import loaded
 from .precision import own_precision
-from .real_roots import isolated_roots
 
 TURNS = (sin, cos, tan, cot, sec, csc)
 
@@ -162,7 +162,7 @@ def _isolated(root: CRootOf, precision: int) -> arb:
 def _real_roots(polynomial: Poly, precision: int) -> list[arb]:
     """Enclose all real roots of a polynomial: to isolate one takes nearly as long as to isolate all."""
     with own_precision(precision):
-        return isolated_roots(over_integers(polynomial))
+        return loaded("algebra.enclosures.real_roots:isolated_roots")(over_integers(polynomial))
 
 
 def _at(polynomial: fmpz_poly, x: arb) -> arb:

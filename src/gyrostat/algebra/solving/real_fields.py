@@ -130,3 +130,10 @@ class FieldNumbers(Sequence[Expr]):
     def over(self, divisor: Expr) -> "FieldNumbers":
         """Return each number divided by an exact one."""
         return FieldNumbers(self.conjugates, self.root, [(place, x / divisor) for place, x in self.places])
+
+
+def balls(numbers: Sequence[Expr], precision: int) -> list[arb]:
+    """Return enclosures; those of such lists need no expressions."""
+    if isinstance(numbers, FieldNumbers):
+        return numbers.balls(precision)
+    return [ball(x, precision) for x in numbers]
