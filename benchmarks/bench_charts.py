@@ -1,7 +1,7 @@
 """How long does a chart take, from the call to the picture, and how much of a region does a certified chart
 leave undecided?
 
-    python benchmarks/bench_charts.py            all of it; prints the rows of RESULTS.md
+    python benchmarks/bench_charts.py            all of it; prints a section of RESULTS.md
     python benchmarks/bench_charts.py --quick    small, for breakage
 
 The picture: E1 of a heavy gyrostat in (l, π3) and E3 in U = k3⁴ − k3²/2 in (ω, k3), as gyrostat chart draws
@@ -11,15 +11,11 @@ Report.verdict at random points of its boxes.
 """
 import argparse
 import io
-import platform
-import statistics
-import time
-from datetime import date
 from fractions import Fraction
-from importlib.metadata import version
 
 import numpy as np
 from matplotlib.figure import Figure
+from measured import cpu, here_and_now, spread
 
 import gyrostat as gs
 from gyrostat.charts.boxes.certified_boxes import certified_chart
@@ -83,9 +79,9 @@ def timed(call, rounds):
     """The result, seconds of the first call, and of those after it."""
     seconds = []
     for _ in range(rounds + 1):
-        begin = time.perf_counter()
+        begin = cpu()
         result = call()
-        seconds.append(time.perf_counter() - begin)
+        seconds.append(cpu() - begin)
     return result, seconds[0], seconds[1:]
 
 
@@ -97,9 +93,10 @@ def main():
     n, rounds, count, rng = (
         (200, 1, 20, np.random.default_rng(5)) if quick else (2000, 9, 1000, np.random.default_rng(5))
     )
-    print(f"{date.today()}, {platform.machine()}, Python {platform.python_version()}, numpy "
-          f"{version('numpy')}, "
-          f"matplotlib {version('matplotlib')}; median (min–max) of {rounds} after a first one.\n")
+    print(f"{here_and_now('numpy', 'numba', 'matplotlib')}; median (min–max) of {rounds} after a first one, "
+          "seconds of CPU. Wrong: against `Report.verdict` at random points, at both points beside changes "
+          "of the verdict, and at random points inside boxes. With windows: one after a first one, permanent "
+          "rotations of a heavy gyrostat, I = (3, 4, 5), l = (−1, 2, −1), the curves inside windows too.\n")
     print("| what | first, s | then, s | wrong |\n|---|---|---|---|")
     failed = 0
     charts = (("E1, (l, π3)", TOP, ("pi3_0", np.linspace(-4, 4, n)), ("l", np.linspace(-2, 2, n)),
@@ -110,8 +107,7 @@ def main():
         chart, first, then = timed(lambda r=report, x=x, y=y, f=fixed: picture(r, x, y, f), rounds)
         wrong, points = wrong_in_chart(report, chart, rng, count)
         failed += wrong
-        print(f"| chart to PNG, {n} × {n}, {name} | {first:.2f} | {statistics.median(then):.2f} "
-              f"({min(then):.2f}–{max(then):.2f}) | "
+        print(f"| chart to PNG, {n} × {n}, {name} | {first:.2f} | {spread(then, '.2f')} | "
               f"{wrong} of {points} |")
     windows, n = rotations(), 40 if quick else 400
     for name, y, fixed in (("(u1, u2)", ("u2", np.linspace(-2, 2, n)), {"omega": -1, "sigma": -2}),
@@ -133,8 +129,7 @@ def main():
     wrong, points = wrong_in_boxes(TOP, chart, rng, count)
     failed += wrong
     print(f"| certified chart, E1, (l, π3): {len(chart.code)} boxes, undecided {undecided:.2e} of the "
-          f"region | {first:.2f} | "
-          f"{statistics.median(then):.2f} ({min(then):.2f}–{max(then):.2f}) | {wrong} of {points} |")
+          f"region | {first:.2f} | {spread(then, '.2f')} | {wrong} of {points} |")
     return 1 if failed else 0
 
 

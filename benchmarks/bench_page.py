@@ -1,7 +1,8 @@
 """How long the page of the site takes to its first verdict, cold and warm, and to that of another number; how
 many pictures of a chart it draws in a second.
 
-Usage: bench_page.py SITE, the folder that docs/try/build.py has filled; it needs Playwright and Chromium.
+Usage: bench_page.py SITE, the folder that docs/try/build.py has filled; it prints a section of RESULTS.md,
+and needs Playwright and Chromium.
 """
 import argparse
 import contextlib
@@ -16,11 +17,13 @@ import time
 from pathlib import Path
 from urllib.parse import urlsplit
 
+from measured import here_and_now
 from playwright.sync_api import sync_playwright
 
 CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser")
 NO_OTHER_HOST = "--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1"
-CHARTS = {"one margin": (0, ("m0", "omega3_0")), "five margins": (7, ("I2", "omega3_0"))}   # of examples.json
+CHARTS = {"heavy gyrostat upright, one margin": (0, ("m0", "omega3_0")),      # of examples.json
+          "heavy asymmetric body upright, five margins": (7, ("I2", "omega3_0"))}
 
 
 class Quiet(http.server.SimpleHTTPRequestHandler):
@@ -129,12 +132,15 @@ def main():
                 changed.append(milliseconds)
                 for each, (example, axes) in CHARTS.items():
                     drawn[each].append(pictures(context, address, example, axes))
-    print(f"first verdict: {statistics.median(cold):.2f} s cold, {statistics.median(warm):.2f} s warm; "
-          f"another number: {statistics.median(changed):.0f} ms (medians of {len(cold)})")
-    for each, found in drawn.items():
-        print(f"chart of 400 x 400, {each}: {statistics.median(found):.0f} pictures a second")
     files = [Path(given.site, path.lstrip("/")) for path in sent if path.startswith("/")]
-    print(f"transfer, each file as it is or as gzip has it: {sum(map(compressed, files)) / 1e6:.1f} MB")
+    print(f"{here_and_now('playwright')}; medians of {len(cold)}.\n")
+    print("| first verdict | cold | warm | another number | transfer, what gzip makes smaller compressed |")
+    print("|---|---|---|---|---|")
+    print(f"| seconds | {statistics.median(cold):.2f} | {statistics.median(warm):.2f} | "
+          f"{statistics.median(changed) / 1e3:.3f} | {sum(map(compressed, files)) / 1e6:.1f} MB |\n")
+    print("| chart of 400 × 400 | pictures a second |\n|---|---|")
+    for each, found in drawn.items():
+        print(f"| {each} | {statistics.median(found):.0f} |")
 
 
 if __name__ == "__main__":

@@ -1,6 +1,6 @@
 """How long does one verdict at a rational point take, and how often is it wrong?
 
-    python benchmarks/bench_verdict.py            all of it; prints the rows of RESULTS.md
+    python benchmarks/bench_verdict.py            all of it; prints a section of RESULTS.md
     python benchmarks/bench_verdict.py --quick    few points, for breakage
 
 A verdict reads the numbers, checks them (positive, on the family, U real there), decides, on the boundary by
@@ -12,14 +12,13 @@ Then all permanent rotations of random bodies, rotors and fields, at a rate and 
 decisions: each is put into Euler's equations in doubles, and maxima − saddles + minima is counted.
 """
 import argparse
-import platform
 import random
 import statistics
-import time
 from fractions import Fraction
 
 import numpy as np
 import sympy
+from measured import cpu, here_and_now, ratios, spread
 
 import gyrostat as gs
 
@@ -88,11 +87,11 @@ def timed(report, point, blocks, draw):
         points = [point(draw, n % 3 == 0) for n in range(BLOCK)]
         rationals = [{gs.symbol(name): sympy.Rational(v.numerator, v.denominator)
                       for name, v in values.items()} for values, _ in points]
-        begin = time.perf_counter()
+        begin = cpu()
         decisions = [report.verdict(values) for values, _ in points]
-        middle = time.perf_counter()
+        middle = cpu()
         inserted = [condition.margin.subs(numbers) for numbers in rationals]
-        theirs.append((time.perf_counter() - middle) / BLOCK)
+        theirs.append((cpu() - middle) / BLOCK)
         ours.append((middle - begin) / BLOCK)
         for (_, margin), decision, value in zip(points, decisions, inserted):
             # positive factors are taken out of ours: the same sign
@@ -135,17 +134,13 @@ def all_rotations(draw, asked, quadratic, scenes):
     times, found, wrong = [], 0, 0
     for _ in range(scenes):
         data, scene = drawn(draw, quadratic)
-        begin = time.perf_counter()
+        begin = cpu()
         rotations = gs.relative_equilibria(scene, {asked: number(draw) / 3})
         for rotation in rotations:
             rotation.decision  # noqa: B018
-        times.append(time.perf_counter() - begin)
+        times.append(cpu() - begin)
         found, wrong = found + len(rotations), wrong + (counted(data, rotations, asked == "C1") != 2)
     return times, found, wrong
-
-
-def micro(times):
-    return f"{1e6 * statistics.median(times):.0f} ({1e6 * min(times):.0f}–{1e6 * max(times):.0f})"
 
 
 def main():
@@ -154,17 +149,17 @@ def main():
     parser.add_argument("--quick", action="store_true")
     blocks = 1 if parser.parse_args().quick else 9
     draw, failed = random.Random(20261121), 0
-    print(f"{platform.machine()}, Python {platform.python_version()}, sympy {sympy.__version__}; medians "
-          "(min–max) "
-          f"of {blocks} blocks of {BLOCK} points, in turn")
+    print(f"{here_and_now('sympy', 'python-flint')}; medians (min–max) of {blocks} blocks of {BLOCK} random "
+          "rational points, a third of them exactly on the boundary, in turn; CPU time.\n")
     print("| one verdict | `Report.verdict`, µs | `margin.subs`, µs | ratio | wrong verdicts | wrong signs "
           "of subs |")
     print("|---|---|---|---|---|---|")
     for name, report, point in cases():
         ours, theirs, wrong, wrong_subs = timed(report, point, blocks, draw)
         failed += wrong
-        ratio = statistics.median(t / o for t, o in zip(theirs, ours))
-        print(f"| {name} | {micro(ours)} | {micro(theirs)} | {ratio:.0f} | {wrong} | {wrong_subs} |")
+        ratio = statistics.median(ratios(theirs, ours))
+        times = f"{spread(ours, '.0f', 1e6)} | {spread(theirs, '.0f', 1e6)}"
+        print(f"| {name} | {times} | {ratio:.0f} | {wrong} | {wrong_subs} |")
     scenes = 3 if blocks == 1 else 60
     print(f"\n| all permanent rotations, {scenes} scenes | median (min–max), ms | found | wrong counts |")
     print("|---|---|---|---|")
@@ -172,9 +167,7 @@ def main():
         for name in ("linear", "quadratic"):
             times, found, wrong = all_rotations(draw, asked, name == "quadratic", scenes)
             failed += wrong
-            middle, low, high = (1e3 * x for x in (statistics.median(times), min(times), max(times)))
-            shown = f"{middle:.0f} ({low:.0f}–{high:.0f})"
-            print(f"| at given {asked}, U {name} | {shown} | {found} | {wrong} |")
+            print(f"| at given {asked}, U {name} | {spread(times, '.0f', 1e3)} | {found} | {wrong} |")
     return 1 if failed else 0
 
 

@@ -1,18 +1,16 @@
 """How long does it take to check all published formulas, and how does the zero test compare with SymPy's
 simplify?
 
-    python benchmarks/bench_verify.py            all of it, some minutes; prints the rows of RESULTS.md
+    python benchmarks/bench_verify.py            all of it, minutes; prints a section of RESULTS.md
     python benchmarks/bench_verify.py --quick    one source, once, and without SymPy's simplify, for breakage
 """
 import argparse
-import platform
 import signal
-import statistics
 import subprocess
 import sys
-import time
 
 import sympy
+from measured import cpu, here_and_now, spread
 from sympy import MatrixBase
 
 from gyrostat.algebra.reals.exact import sign_of_constant
@@ -24,10 +22,10 @@ from gyrostat.published.names.derived_names import is_zero
 LIMIT = 10
 
 
-def differences():
+def differences(sources=SOURCES):
     """printed − derived of every confirmed identity, entry by entry."""
     found = []
-    for source in SOURCES:
+    for source in sources:
         for statement in load(source).statements:
             if statement.kind in ("identity", "family") and statement.key not in load(source).expected:
                 r = Reading(statement)
@@ -50,17 +48,13 @@ def decided(test, entries):
     """Seconds and outcome of a zero test on one formula, stopped at the limit."""
     signal.signal(signal.SIGALRM, stopped)
     signal.alarm(LIMIT)
-    begin = time.perf_counter()
+    begin = cpu()
     try:
-        return all(test(e) for e in entries), time.perf_counter() - begin
+        return all(test(e) for e in entries), cpu() - begin
     except TimeoutError:
-        return None, time.perf_counter() - begin
+        return None, cpu() - begin
     finally:
         signal.alarm(0)
-
-
-def spread(values):
-    return f"{statistics.median(values):.2f} ({min(values):.2f}–{max(values):.2f})"
 
 
 def main():
@@ -71,21 +65,21 @@ def main():
     rounds, sources = (1, ("AR",)) if given.quick else (5, SOURCES)
     cold, warm, wrong = [], [], 0
     for _ in range(rounds):
-        begin = time.perf_counter()
+        begin = cpu()
         subprocess.run([sys.executable, "-m", "gyrostat", "verify", *sources], check=True,
                        stdout=subprocess.DEVNULL)
-        cold.append(time.perf_counter() - begin)
+        cold.append(cpu() - begin)
         check(sources)                             # what a first run leaves in SymPy's caches
-        begin = time.perf_counter()
+        begin = cpu()
         wrong += sum(f.status != f.expected for f in check(sources))
-        warm.append(time.perf_counter() - begin)
-    print(f"{platform.machine()}, Python {platform.python_version()}, sympy {sympy.__version__}, {rounds} "
-          "rounds")
+        warm.append(cpu() - begin)
+    print(f"{here_and_now('sympy', 'python-flint')}; medians and (min–max) of {rounds} rounds, seconds of "
+          "CPU.\n")
     count = sum(len(load(source).statements) for source in sources)
     print(f"| {', '.join(sources)}: {count} statements | seconds | not as expected |\n|---|---|---|")
-    print(f"| `gyrostat verify`, whole process | {spread(cold)} | 0 |\n| `check()`, repeated | "
-          f"{spread(warm)} | {wrong} |")
-    formulas = differences()
+    print(f"| `gyrostat verify`, whole process | {spread(cold, '.2f')} | 0 |\n| `check()`, repeated | "
+          f"{spread(warm, '.2f')} | {wrong} |")
+    formulas = differences(sources)
     tests = {"ours": vanishes} if given.quick else {
         "ours": vanishes, "`sympy.simplify(…) == 0`": lambda e: sympy.simplify(e) == 0}
     found = {name: [decided(test, f) for f in formulas] for name, test in tests.items()}

@@ -1,8 +1,8 @@
 """How long does a state of a motion take, how large is its error, and what do h and the Casimirs lose on the
 way?
 
-    python benchmarks/motion_speed_against_error.py              all of it; prints the tables of RESULTS.md,
-        draws the figure
+    python benchmarks/motion_speed_against_error.py              all of it; prints MOTION.md, draws
+        the figure
     python benchmarks/motion_speed_against_error.py --quick      small, for breakage; exit status 1 if an
         error or a drift is too large
     python benchmarks/motion_speed_against_error.py --save FILE  what is printed, into a file too; --limit S
@@ -19,15 +19,12 @@ for library in ("OPENBLAS", "OMP", "MKL", "NUMBA"):
     os.environ[f"{library}_NUM_THREADS"] = "1"
 
 import argparse
-import platform
 import statistics
-import subprocess
 import time
-from datetime import date
-from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 
 import numpy as np
+from measured import here_and_now
 from motion_figure import OURS, Row, draw, line, short_table, spread, table
 from motion_integrators import TooLong, forget, heyoka, heyoka_grid, heyoka_run, methods
 from motion_reference import cases, error, nutation_period, taylor
@@ -221,14 +218,6 @@ def first_calls():
             yield f"{case.name}, {key[0]}: {time.perf_counter() - begin:.2f} s"
 
 
-def versions(*names):
-    for name in names:
-        try:
-            yield f"{name} {version(name)}"
-        except PackageNotFoundError:
-            yield f"no {name}"
-
-
 def main():
     parser = argparse.ArgumentParser(description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
@@ -242,14 +231,9 @@ def main():
         for text in lines:
             print(text, flush=True)
             said.append(text)
-    commit = subprocess.run(["git", "rev-parse", "--short", "HEAD"], capture_output=True,
-                            text=True).stdout.strip()
-    say(f"{date.today()}, commit {commit}, {platform.machine()} ({os.cpu_count()} cores, shared), Python "
-        f"{platform.python_version()}, "
-        f"{', '.join(versions('numpy', 'scipy', 'numba', 'heyoka', 'python-flint', 'mpmath'))}; one core; "
-        f"medians (min–max) of {rounds} "
-        f"rounds in turn, one run where it takes more than {SHORT} s. Errors: largest deviation of a "
-        "coordinate.", "",
+    say(f"{here_and_now('numpy', 'scipy', 'numba', 'heyoka', 'python-flint', 'mpmath')}; one core; medians "
+        f"(min–max) of {rounds} rounds in turn, one run where it takes more than {SHORT} s. Errors: largest "
+        "deviation of a coordinate.", "",
         f"First calls: {'; '.join(first_calls())}.", "")
     panels, known, wrong = [], {}, []
     for case in cases(given.quick):
@@ -262,8 +246,8 @@ def main():
             say(f"## {case.name}, {label}", "", f"Reference: {source}.", "",
                 *table(case, rows, given.limit), "")
             wrong += failures(case, rows) if given.quick else []
-    say(*short_table(panels), "", *checks(list({case.name: case for case, _, _ in panels}.values()), wrong),
-        "")
+    say("### In short", "", *short_table(panels), "",
+        *checks(list({case.name: case for case, _, _ in panels}.values()), wrong), "")
     long = next(case for case in cases(given.quick) if case.revolution and case.slope[2] == 1)
     times = [*long.times.values()]
     say(*many(long, times[len(times) // 2], 10**4 if given.quick else 10**6, rounds), "")

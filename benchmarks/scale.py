@@ -1,6 +1,6 @@
 """How do time and memory grow with the points, the axes and the degree of U; and are 10⁹ verdicts all right?
 
-    python benchmarks/scale.py            all of it; prints the rows of RESULTS.md
+    python benchmarks/scale.py            all of it; prints a section of RESULTS.md
     python benchmarks/scale.py --quick    small, for breakage; exit status 1 if a verdict is wrong or
         undecided
 
@@ -17,15 +17,14 @@ for library in ("OPENBLAS", "OMP", "MKL"):
 
 import argparse
 import json
-import platform
 import resource
 import subprocess
 import sys
 import time
-from datetime import date
 
 import numpy as np
 from exact_truth import truth
+from measured import here_and_now
 
 import gyrostat as gs
 from gyrostat.charts.signs.compiled_margins import compile_margin
@@ -214,11 +213,7 @@ def main():
         order = json.loads(given.one)
         print(json.dumps(billion(**order) if "kind" in order else measured(**order)))
         return 0
-    commit = subprocess.run(["git", "rev-parse", "--short", "HEAD"], capture_output=True,
-                            text=True).stdout.strip()
-    print(f"{date.today()}, commit {commit}, {platform.machine()} ({os.cpu_count()} cores, shared), Python "
-          f"{platform.python_version()}, "
-          f"numpy {np.__version__}\n")
+    print(f"{here_and_now('numpy', 'numba')}; E3 unless said, each measurement in a process of its own.\n")
     n, failed = 400 if given.quick else 31623, 0
     rows = {kind: in_a_process(kind=kind, n=n) for kind in ("E1", "E3")}
     print("| every verdict of a grid | E1, (l, π3) | E3, (ω, k3) |\n|---|---|---|")

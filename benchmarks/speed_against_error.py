@@ -1,6 +1,6 @@
 """How fast is each route to a verdict, and how often is it wrong where it is hard?
 
-    python benchmarks/speed_against_error.py            all of it; prints the tables of RESULTS.md, draws
+    python benchmarks/speed_against_error.py            all of it; prints a section of RESULTS.md, draws
         speed_against_error.png
     python benchmarks/speed_against_error.py --quick    few points, for breakage; exit status 1 if an exact or
         certified route fails
@@ -16,20 +16,17 @@ for library in ("OPENBLAS", "OMP", "MKL", "NUMBA"):
     os.environ[f"{library}_NUM_THREADS"] = "2" if library == "NUMBA" else "1"
 
 import argparse
-import platform
 import statistics
-import subprocess
 import time
 from collections import defaultdict
-from datetime import date
 from fractions import Fraction
-from importlib.metadata import version
 from pathlib import Path
 
 import numpy as np
 import sympy
 import verdict_routes as routes
 from hard_cases import EXPONENTS, FAMILIES, KINDS, Batch, cases, on_boundary, ordinary
+from measured import cpu, here_and_now, ratios
 from scene_matrices import euler_poisson, matrices, restricted
 
 from gyrostat.charts.signs.compiled_margins import compile_margin
@@ -202,14 +199,15 @@ def speeds(kind, quick):
     """Points per second of every round, by name of the work; the arrangements; seconds of the first calls."""
     jobs, found, first = work(kind, quick), defaultdict(list), {}
     for name, (call, _, _) in jobs.items():
-        begin = time.perf_counter()
+        begin = cpu()
         call()
-        first[name] = time.perf_counter() - begin
+        first[name] = cpu() - begin
     for _ in range(ROUNDS[quick]):
         for name, (call, points, _) in jobs.items():
-            begin = time.perf_counter()
+            clock = time.perf_counter if name.endswith(" of 2") else cpu       # of threads beside one another
+            begin = clock()
             call()
-            found[name].append(points / (time.perf_counter() - begin))
+            found[name].append(points / (clock() - begin))
     return found, {name: arrangement for name, (_, _, arrangement) in jobs.items()}, first
 
 
@@ -231,7 +229,7 @@ def spread(values):
 
 
 def ratio(one, other):
-    return statistics.median(a / b for a, b in zip(one, other))
+    return statistics.median(ratios(one, other))
 
 
 def table(by_family, rates, arrangements):
@@ -296,12 +294,13 @@ def boundary_table(by_family, rates):
 
 
 def short_table(by_family, rates):
-    """The rows of the README."""
+    """The rows of the page on benchmarks."""
     chosen = ("eigvals 4×4, Re ≤ 1e-12‖A‖", "eigvals 4×4, Re ≤ 1e-08‖A‖", "mpmath eig, 50 digits, 1e-20‖A‖",
               "flint acb_mat eig, 256 bits",
               "p, q, p² − 4q from traces", "compiled margin, float64, numba", "certified arrays, numpy",
               "certified arrays, numba")
-    print("\n| route to a verdict | points/s E1 / E3 | × eigvals E1 / E3 | wrong E1, E2 / E3 | undecided "
+    print("\n### In short\n")
+    print("| route to a verdict | points/s E1 / E3 | × eigvals E1 / E3 | wrong E1, E2 / E3 | undecided "
           "|\n|---|---|---|---|---|")
     for route in (r for r in routes.ROUTES if r.name in chosen):
         counts = [sum((by_family[route.name, group, column] for column in COLUMNS), np.zeros(4, int))
@@ -329,15 +328,9 @@ def main():
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--quick", action="store_true")
     quick = parser.parse_args().quick
-    commit = subprocess.run(["git", "rev-parse", "--short", "HEAD"], capture_output=True,
-                            text=True).stdout.strip()
-    versions = ", ".join(f"{name} {version(name)}"
-                         for name in ("numpy", "scipy", "numba", "python-flint", "mpmath", "sympy"))
-    print(f"{date.today()}, commit {commit}, {platform.machine()} ({os.cpu_count()} cores, shared), Python "
-          f"{platform.python_version()}, "
-          f"{versions}; medians (min–max) of {ROUNDS[quick]} rounds in turn, one core. Errors: called "
-          "stable but unstable / "
-          "called unstable but stable / undecided, in % of the points.\n")
+    packages = here_and_now("numpy", "scipy", "numba", "python-flint", "mpmath", "sympy")
+    print(f"{packages}; medians (min–max) of {ROUNDS[quick]} rounds in turn, CPU time. Errors: called stable "
+          "but unstable / called unstable but stable / undecided, in % of the points.\n")
     check_matrices()
     by_family, by_distance, medians = errors(12 if quick else 1000, 0.05 if quick else 1)
     rates, firsts = {}, {}

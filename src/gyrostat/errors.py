@@ -121,7 +121,7 @@ class MissingExtraError(GyrostatError, ImportError):
 
 
 _EXTRAS = {
-    "fast": ("numba",), "charts": ("xarray", "dask", "distributed", "zarr", "netCDF4", "contourpy"),
+    "fast": ("numba",), "charts": ("xarray", "dask", "distributed", "zarr", "netCDF4"),
     "plot": ("matplotlib",),
     "interactive": ("plotly",), "trajectories": ("scipy",), "heyoka": ("heyoka",),
     "completion": ("shtab",)}

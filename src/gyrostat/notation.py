@@ -5,7 +5,7 @@ from dataclasses import dataclass, fields
 from enum import Enum
 from functools import lru_cache
 from types import MappingProxyType
-from typing import Any
+from typing import Any, ClassVar
 
 from sympy import Expr, Symbol
 
@@ -241,7 +241,10 @@ def order(name: str) -> tuple[int, str, int]:
 
 
 class Stored:
-    """The base of dataclasses that are pickled without what is derived, which is then derived again."""
+    """The base of dataclasses that are pickled without what is derived, but for what _carried names."""
+
+    _carried: ClassVar[tuple[str, ...]] = ()
 
     def __getstate__(self) -> dict[str, Any]:
-        return {field.name: getattr(self, field.name) for field in fields(self)}  # type: ignore[arg-type]
+        names = [field.name for field in fields(self)]  # type: ignore[arg-type]
+        return {n: getattr(self, n) for n in (*names, *(n for n in self._carried if n in self.__dict__))}

@@ -6,7 +6,7 @@ import numpy as np
 from hypothesis import strategies as st
 
 import gyrostat as gs
-from gyrostat.charts.signs.rounding import SMALLEST, error_bound, rounded
+from gyrostat.charts.programs.rounding import SMALLEST, error_bound, rounded
 
 LEAVES = tuple(gs.symbol(f"x{n}") for n in range(4))
 x, y, z, w = LEAVES

@@ -218,12 +218,11 @@ def test_arguments_of_another_kind(e1):
         stability_chart(e1.equilibrium, **GOOD)
 
 
-@pytest.mark.parametrize("missing", ["xarray", "contourpy"])
-def test_a_missing_extra_is_named(e1, monkeypatch, missing):
+def test_a_missing_extra_is_named(e1, monkeypatch):
     """The message has the pip command, and is an ImportError too."""
-    monkeypatch.setitem(sys.modules, missing, None)
+    monkeypatch.setitem(sys.modules, "xarray", None)
     with pytest.raises(MissingExtraError,
-                       match=rf"{missing} cannot be imported.*pip install \"gyrostat\[charts\]\"") as error:
+                       match=r"xarray cannot be imported.*pip install \"gyrostat\[charts\]\"") as error:
         stability_chart(e1, x=("pi3_0", [0, 5]), y=("l", [0, 1]), fixed={"I1": 1, "dU": 1})
     assert isinstance(error.value, ImportError)
 

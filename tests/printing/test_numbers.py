@@ -11,7 +11,7 @@ from sympy.parsing.sympy_parser import implicit_multiplication, parse_expr, stan
 from gyrostat.printing.formats.latex import tex
 from gyrostat.printing.formats.latex_names import Names
 from gyrostat.printing.formats.text import number_text
-from gyrostat.printing.numbers import in_a_cell, number
+from gyrostat.printing.numbers import number
 
 x = Symbol("x", real=True)
 SURDS = st.builds(lambda a, b, n: a + b * sqrt(n), st.fractions(-9, 9, max_denominator=99).map(Rational),
@@ -68,12 +68,6 @@ def test_what_is_printed_is_true_and_readable(value):
         assert off < Rational(unit) and abs(Rational(written)) <= abs(value)
     else:
         assert off == 0
-
-
-def test_a_cell_is_narrow():
-    """In a column no exact form but that of a short fraction."""
-    shown = [in_a_cell(v) for v in (Rational(1, 3), Rational(-123, 4567), sqrt(2), 10**9 * pi, Integer(-1))]
-    assert shown == ["1/3", "−0.02693", "1.414", "3.142·10⁹", "−1"]
 
 
 def test_latex_has_the_same_digits():

@@ -1,15 +1,17 @@
 """Times of any length, against fractions."""
 from fractions import Fraction as F
+from math import isqrt
 
 import numpy as np
 import pytest
 from flint import arb, ctx, fmpq
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from sympy import Rational, sqrt
 
 from gyrostat.algebra.enclosures.double_double import Twofold
 from gyrostat.errors import ValuesError
-from gyrostat.trajectories.periods import LONGEST, double, pair, reduced, turns
+from gyrostat.trajectories.periods import LONGEST, double, nearest, pair, reduced, turns
 
 fractions = st.fractions(min_value=F(1, 1000), max_value=1000, max_denominator=10**12)
 exponents = st.integers(min_value=-300, max_value=300)
@@ -29,6 +31,18 @@ def test_double_is_the_nearest(x, n, sign):
     """The middle of an enclosure is rounded to the nearest double, as Python rounds a fraction."""
     value = sign * x * F(2) ** n
     assert double(enclosed(value)) == float(value)
+
+
+@some
+@given(x=fractions, n=exponents, root=st.sampled_from((2, 3, 5)))
+def test_nearest_is_the_nearest_double(x, n, root):
+    """A fraction, and what is left of a root if nearly all of it is taken away, to 60 digits."""
+    value = x * F(2) ** n
+    assert nearest(Rational(value.numerator, value.denominator)) == float(value)
+    whole = isqrt(root * 10**80)                           # 40 digits of the root
+    left = sqrt(root) - Rational(whole, 10**40)
+    assert nearest(x.numerator * left) == float(x.numerator * F(isqrt(root * 10**240) - whole * 10**80,
+                                                                10**120))
 
 
 def test_double_of_an_enclosure_is_that_of_its_middle():

@@ -78,3 +78,13 @@ def test_exact_digits_are_refused():
     scene = gs.assemble(gs.Gyrostat((60, 70, 35), (0, 0, 0)), gs.circular_orbit(1))
     with pytest.raises(gs.errors.ScopeError, match="integrated"):
         gs.trajectories.motion(scene, (0, 70, 0, 0, 1, 0, 0, 0, 1), precision=30)
+
+
+def test_a_satellite_is_not_searched_for_an_axis_of_revolution(monkeypatch):
+    """In two directions no body is one of revolution in U(k3): its numbers are not simplified to know it."""
+    def refused(*_, **__):
+        raise AssertionError("the square of k was simplified")
+    monkeypatch.setattr("gyrostat.trajectories.turned_motion.trigsimp", refused)
+    monkeypatch.setattr("gyrostat.trajectories.turned_motion.lowest", refused)
+    scene = gs.assemble(gs.Gyrostat((60, 70, 35), (1, 2, 3)), gs.circular_orbit(1))
+    assert gs.trajectories.motion(scene, gs.release(scene, ("5 deg", "3 deg", "1/10"))).recognised == ""

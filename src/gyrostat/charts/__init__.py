@@ -1,10 +1,10 @@
 """Charts: the exact verdict over ranges of parameters, and the curves on which it changes.
 
 A `chart` answers a `request`: `grids` names the numbers, from which `labels` refuses what has other labels or
-masks, `signs` decides at every point of them, exactly where floats do not, and `codes` stand for the
-verdicts. `curves` follows the boundaries between verdicts, `datasets` describes the result, and `stores`
-keeps what is larger than memory, with a bar of `progress`. `boxes` proves a verdict for all points of a box
-at once.
+masks, `programs` compute margins at every point of them, `signs` decides there, exactly where floats do not,
+and `codes` stand for the verdicts. `curves` follows the boundaries between verdicts, `datasets` describes the
+result, and `stores` keeps what is larger than memory, with a bar of `progress`. `boxes` proves a verdict for
+all points of a box at once.
 """
 from typing import TYPE_CHECKING
 

@@ -104,7 +104,7 @@ def stability_chart(report: Report, *, x: Axis, y: Axis, fixed: Mapping[str, Any
     given = [*(axes or {}).items(), _pair(y, "y"), _pair(x, "x")]
     _check_names(report, [name for name, _ in given], list(fixed or {}), damped)
     arrays = [_axis(name, values) for name, values in given]
-    request = Request(report, tuple(name for name, _ in given),
+    request = Request(report.written_out, tuple(name for name, _ in given),
                   tuple(_number(name, value) for name, value in (fixed or {}).items()),
                   bool(margins), backend, bool(damped))
     if store is not None:

@@ -16,8 +16,8 @@ from ..algebra.enclosures.floats import Array
 from ..errors import ValuesError
 from ..notation import symbol
 from .labels import check_plain
+from .programs.straightline import Axes
 from .signs.given_columns import all_finite, read_entry
-from .signs.straightline import Axes
 
 Slices = tuple[slice, ...]                            # a block, one slice for each axis
 COLUMNS, ROWS = 16384, 256                              # short neighbouring axes are joined up to this length

@@ -96,7 +96,7 @@ class Request:
         """
         rows, columns = map(thinned, map(len, arrays))
         y, x = arrays[0][rows], arrays[1][columns]
-        seen = ({name: found[name][np.ix_(rows, columns)] for name in ("verdict", "rung") if name in found}
+        seen = ({name: found[name][rows][:, columns] for name in ("verdict", "rung") if name in found}
                 or self.variables([y, x]))
         up, across = map(symbol, self.names)
         numbers = {name: number for name, number, _ in self.fixed}

@@ -72,6 +72,8 @@ def parser() -> argparse.ArgumentParser:
                         "FILE is -; --set gives numbers for all lines")
     decide.add_argument("--from", type=_line, default=1, metavar="N", dest="start",
                         help="begin with line N of the batch, to go on after an interruption; default: 1")
+    decide.add_argument("--processes", type=int, default=1, metavar="N",
+                        help="how many processes answer the lines of a batch side by side; default: 1")
     an_equilibrium(chart, "default for a free body: axis 3")
     for option, text in (("--x", "the horizontal axis: a name and COUNT equally spaced numbers, LOW to HIGH"),
                          ("--y", "the vertical axis")):

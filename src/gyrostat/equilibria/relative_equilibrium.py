@@ -15,6 +15,7 @@ from ..stability.damping.secular import KEEPS, lost
 from ..stability.decision import Decision
 from ..stability.form import Form
 from ..stability.report.report import Report
+from .doubles import Doubles
 
 
 @dataclass(frozen=True, repr=False)
@@ -40,6 +41,8 @@ class RelativeEquilibrium(Shown, Stored):
     >>> found = gs.relative_equilibria(satellite, {})
     >>> len(found), sum(e.decision.stable for e in found)
     (24, 4)
+    >>> found[0].doubles.place["r3"], found[0].doubles.rates
+    (1.0, {'omega0': 1.0})
     """
 
     form: Form
@@ -85,6 +88,15 @@ class RelativeEquilibrium(Shown, Stored):
             return None
         n, r = self.directions
         return ImmutableMatrix([r, [evaluate(x, {}) for x in cross(n, r)], n])
+
+    @property
+    def doubles(self) -> Doubles:
+        """Place, attitude, rates, frequencies and growth rate as the doubles next to the exact numbers.
+
+        They come from enclosures. To turn `place` or `attitude` of a satellite with a rotor into doubles one
+        by one takes a hundred times as long, as each is written out first.
+        """
+        return Doubles(self.form)
 
     @property
     def rates(self) -> dict[str, Expr]:

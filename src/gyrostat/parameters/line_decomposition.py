@@ -29,13 +29,15 @@ def cut(report: Report, x: Symbol, numbers: Point, low: Expr | None, high: Expr 
     """Return the cells between and at the roots of everything whose sign matters."""
     conditions = [c for criterion in (report.necessary, report.sufficient) for a in criterion.alternatives
                   for c in a]
-    expressions = [*(e for c in conditions for e in (c.margin, *c.degenerate)),
-                   *report.equilibrium.existence(), *also]
+    margins, determinant = [e for c in conditions for e in (c.margin, *c.degenerate)], report.determinant[0]
+    if report.closed:                                      # what the names stand for
+        margins, determinant = report.closed.margins, report.closed.invariants.determinant
+    expressions = [*margins, *report.equilibrium.existence(), *also]
     placed = [e.xreplace(numbers) for e in expressions]
     everywhere = not report.sufficient.alternatives or any(map(is_identically_zero, placed))
     if everywhere and report.between:                      # it is on the boundary whatever x is
         placed += [e.xreplace(numbers) for e in report.between.ladder()]
-    elif everywhere and is_identically_zero(report.determinant[0].xreplace(numbers)):
+    elif everywhere and is_identically_zero(determinant.xreplace(numbers)):
         raise ScopeError(f"the second variation is degenerate for every {x}: ask for verdicts at given "
                          "numbers")
     polynomials = [f for e in placed if x in e.free_symbols for f in _numerators(e, x)]

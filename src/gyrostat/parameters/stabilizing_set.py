@@ -154,7 +154,7 @@ def _in_symbols(report: Report, name: str, numbers: Point) -> tuple[SolvedCondit
     """Return existence and stability, each solved in closed form."""
     if numbers:
         report = inserted(report, {s.name: number for s, number in numbers.items()})
-    eq = report.equilibrium
+    report, eq = report.written_out, report.equilibrium
     tilted = "k3" in eq.eliminated and "omega" in report.parameters and analyze(inclined(eq.system))
     # E3 may be stable always, in terms of k3
     sufficient = tilted.sufficient if tilted and () in tilted.sufficient.alternatives else report.sufficient

@@ -6,10 +6,10 @@ from typing import Any
 import numpy as np
 from sympy import Expr
 
-from ..algebra.enclosures.balls import accurate
 from ..algebra.enclosures.floats import Array, in_floats
 from ..arguments import checked
 from ..equilibria.curves.amended_potential import CriticalPoint, amended_potential
+from ..equilibria.doubles import nearest
 from ..errors import optional
 from ..mechanics.scenes.potential import DIRECTIONS
 from ..mechanics.scenes.system import System
@@ -123,7 +123,7 @@ def _continuum(point: CriticalPoint) -> list[Array]:
 
 
 def _place(point: CriticalPoint) -> Array:
-    return np.array([float(accurate(x, 60).mid()) for x in point.rotation.directions[0]])
+    return np.array(nearest(point.rotation.directions[0]))
 
 
 @dataclass(frozen=True)
@@ -206,8 +206,8 @@ def _separatrices(potential: _Field, saddles: Array) -> list[Array]:
         off = np.linalg.norm(k[:, None] - saddles, axis=2)
         off[~ends[open_ends]] = np.inf
         here = (off.min(axis=1) < STEP) & (n > 2)
-        for curve, at, ended, nearest in zip(open_ends, k, here, off.argmin(axis=1)):
-            curves[curve].append(saddles[nearest] if ended else at)
+        for curve, at, ended, saddle in zip(open_ends, k, here, off.argmin(axis=1)):
+            curves[curve].append(saddles[saddle] if ended else at)
         k, open_ends = k[~here], open_ends[~here]
         if not len(k):
             break

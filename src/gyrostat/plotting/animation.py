@@ -1,5 +1,6 @@
 """Animates the turning body along an exact motion, and writes the animation to a file."""
 from errno import EIO
+from functools import partial
 from os import PathLike
 from pathlib import Path
 from subprocess import CalledProcessError
@@ -84,7 +85,8 @@ def animate_top(motion: Motion, times: Any, ax: Any = None, **kwargs: Any) -> An
         ax.text2D(0.5, 0.02, NO_BODY, ha="center", fontsize="small", transform=ax.transAxes)
     style = {"color": BLUE, "linewidth": 1.4}
     clock, form = ax.text2D(0.03, 0.97, "", va="top", transform=ax.transAxes), _form(times)
-    legend(ax, [named(style, f"path of {label(f'e{axis + 1}')}")], title=heading(ax, *of_motion(motion)))
+    legend(ax, [named(style, f"path of {label(f'e{axis + 1}')}")],
+           title=partial(heading, *of_motion(motion)))
     (back,), (front,) = ax.plot([], [], [], alpha=FADED, zorder=1,
                                 **style), ax.plot([], [], [], zorder=3, **style)
 

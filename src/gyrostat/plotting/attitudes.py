@@ -1,14 +1,12 @@
 """Draws the attitudes in which a satellite rests, on the sphere of directions in its body."""
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
-from sympy import Expr
 
-from ..algebra.enclosures.precision import own_precision
 from ..arguments import checked
+from ..equilibria.doubles import nearest
 from ..equilibria.finders.orbit import orbit_forms
-from ..equilibria.finders.orbital_form import balls
 from ..equilibria.relative_equilibrium import RelativeEquilibrium
 from ..errors import ScopeError
 from ..mechanics.scenes.kind import Kind
@@ -21,7 +19,6 @@ from .legends import named
 from .looks import GREY, axes_of, label, marker, meaning
 
 LENGTH = 0.22                                              # of the line along n
-FIRST, WIDEST = 64, 1e-12                                  # bits of the first enclosure; of one that is drawn
 
 
 @checked
@@ -83,14 +80,14 @@ def draw_attitudes(scene: System, values: Mapping[str, Any] | None = None, ax: A
         if not some:
             continue
         looks[verdict] = {**marker(verdict), **kwargs}
-        r, n = (np.array(list(map(_doubles, parts))) for parts in (
+        r, n = (np.array(list(map(nearest, parts))) for parts in (
             [form.r for form in some], [form.n for form in some]))
         ends = np.stack([r, r + LENGTH * n, np.full_like(r, np.nan)], axis=1).reshape(-1, 3)
         curve_on(ax, ends, eye, color=looks[verdict]["color"], linewidth=1.1)
         dots_on(ax, r, eye, color=GREY, marker=".", linestyle="none", markersize=4)
         dots_on(ax, r + LENGTH * n, eye, **looks[verdict])
-    along = [np.array(_doubles(form.n)) for form, _ in found]
-    numbers_on(ax, [(n, np.array(_doubles(form.r)) + LENGTH * way)
+    along = [np.array(nearest(form.n)) for form, _ in found]
+    numbers_on(ax, [(n, np.array(nearest(form.r)) + LENGTH * way)
                     for n, ((form, _), way) in enumerate(zip(found, along), 1)], eye, ways=along)
     decisions = [decision for _, decision in found]
     headed(ax, "Attitudes in which a satellite rests, by the vertical $r$ and the normal $n$ of its orbit in "
@@ -98,14 +95,3 @@ def draw_attitudes(scene: System, values: Mapping[str, Any] | None = None, ax: A
            [*(named(look, meaning(verdict, decisions)) for verdict, look in looks.items()),
             named({"color": GREY, "linewidth": 1.1}, f"{label('n')} from {label('r')}")], after=BEHIND)
     return ax
-
-
-def _doubles(numbers: Sequence[Expr]) -> list[float]:
-    """Numbers as they are drawn, from enclosures that are narrow enough."""
-    bits = FIRST
-    while True:
-        with own_precision(bits):
-            found = balls(numbers, bits)
-        if all(x.rad() < WIDEST for x in found):
-            return [float(x) for x in found]
-        bits *= 2

@@ -1,6 +1,7 @@
 """Writes captions for a paper, as LaTeX: what a picture shows, of which scene, and what its looks mean."""
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -51,7 +52,7 @@ class Caption:
 def headed(ax: Any, what: str, said: tuple[Sequence[str], Sequence[str]], handles: Sequence[Any],
            columns: int | None = None, marks: Sequence[Marks] = (), after: str = "") -> None:
     """Draw legend and title, and keep what a caption says: what, said and after as in Caption."""
-    legend(ax, handles, columns, heading(ax, *said), marks)
+    legend(ax, handles, columns, partial(heading, *said), marks)
     ax.gyrostat_caption = Caption(what, *said, [*handles, *(kind.handle for kind in marks)], after)
 
 

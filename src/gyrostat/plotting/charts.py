@@ -33,8 +33,7 @@ def draw_chart(ds: Any, ax: Any = None, **kwargs: Any) -> Any:
         a new one where it is left out; a figure without a layout gets the constrained one, which has room for
         what stands above
     **kwargs : Any
-        of the image of the verdicts: of Axes.imshow, or of Axes.pcolormesh where the values of an axis are
-        not evenly spaced
+        of the image of the verdicts, as matplotlib.image.AxesImage takes them: alpha=0.5
 
     Returns
     -------
@@ -76,7 +75,7 @@ def draw_chart(ds: Any, ax: Any = None, **kwargs: Any) -> Any:
                                                    ds.verdict.attrs["flag_values"])}
     verdict = np.asarray(seen.values)
     edges = _edges(x), _edges(y)
-    _image(ax, x, y, verdict, edges, codes, kwargs)
+    _image(ax, verdict, edges, codes, kwargs)
     occurring = {name: verdict == codes[name] for name in LOOKS if (verdict == codes[name]).any()}
     for name, where in occurring.items():
         if LOOKS[name][1]:
@@ -120,24 +119,16 @@ def _edges(values: Array) -> Array:
     return np.array([2 * values[0] - inner[0], *inner, 2 * values[-1] - inner[-1]])
 
 
-def _image(ax: Any, x: Array, y: Array, verdict: Array, edges: tuple[Array, Array], codes: dict[str, int],
+def _image(ax: Any, verdict: Array, edges: tuple[Array, Array], codes: dict[str, int],
            kwargs: dict[str, Any]) -> None:
     from matplotlib.colors import BoundaryNorm, ListedColormap
+
+    from .cells import Cells
     order = sorted(LOOKS, key=lambda name: codes[name])
     bounds = [codes[name] - 0.5 for name in order] + [codes[order[-1]] + 0.5]
     given = {"cmap": ListedColormap([LOOKS[name][0] for name in order]),
              "norm": BoundaryNorm(bounds, len(order)), **kwargs}
-    if _evenly_spaced(x) and _evenly_spaced(y):
-        ax.imshow(verdict, **{"origin": "lower", "aspect": "auto", "interpolation": "nearest", "extent": (
-            edges[0][0], edges[0][-1], edges[1][0], edges[1][-1]), **given})
-    else:
-        ax.pcolormesh(*edges, verdict, **{"rasterized": True, **given})
-
-
-def _evenly_spaced(values: Array) -> bool:
-    """Whether each value is, to a hundredth of a cell, where an image has it."""
-    even = np.linspace(values[0], values[-1], len(values))
-    return bool((abs(values - even) * (len(values) - 1) <= abs(values[-1] - values[0]) / 100).all())
+    ax.add_image(Cells(ax, verdict, edges, **given))
 
 
 def _hatched(ax: Any, x: Array, y: Array, edges: tuple[Array, Array], where: Array, name: str) -> None:
@@ -160,11 +151,18 @@ def _destroyed(ds: Any, seen: Any, codes: Mapping[str, int]) -> Array:
 
 def _visible(where: Array) -> bool:
     """Whether a verdict fills somewhere a square wider than the line of a boundary."""
-    rows, columns = (max(1, n // FINEST) for n in where.shape)
-    count = np.pad(np.cumsum(np.cumsum(where, axis=0, dtype=np.int64), axis=1), ((1, 0), (1, 0)))
-    inside = (count[rows:, columns:] - count[:-rows, columns:] - count[rows:, :-columns]
-              + count[:-rows, :-columns])
-    return bool((inside == rows * columns).any())
+    for axis, n in enumerate(where.shape):
+        where = _runs(where, max(1, n // FINEST), axis)
+    return bool(where.any())
+
+
+def _runs(where: Array, length: int, axis: int) -> Array:
+    """Where it is so in that many places in a row along an axis, by the first of them."""
+    found, known = where.swapaxes(0, axis), 1
+    while known < length:
+        step = min(known, length - known)
+        found, known = found[step:] & found[:-step], known + step
+    return found.swapaxes(0, axis)
 
 
 def _label(coordinate: Any) -> str:

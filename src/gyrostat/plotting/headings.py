@@ -16,7 +16,6 @@ from ..printing.formats.linebreaks import broken, width
 from ..printing.letters import letters_in
 from ..trajectories import Motion
 from ..typesetting import typeset
-from .legends import room
 
 # points of a line at 10 pt, as wide as a page and at least; lines of U
 ROOM, NARROWEST, LINES = 400.0, 150.0, 3
@@ -133,7 +132,7 @@ def _broken(item: str, most: float) -> list[str]:
     return parts if len(parts) <= LINES else [*parts[:LINES], r"$+\;\ldots$"]
 
 
-def heading(ax: Any, above: Sequence[str], shown: Sequence[str]) -> str:
-    """Return the title in lines that are no wider than the axes."""
+def heading(above: Sequence[str], shown: Sequence[str], wide: float) -> str:
+    """Return the title in lines that are no wider than axes of a width in points."""
     size = optional("matplotlib.font_manager", "plot").FontProperties(size="medium").get_size_in_points()
-    return lines(above, shown, max(room(ax) * 10 / size, NARROWEST))
+    return lines(above, shown, max(wide * 10 / size, NARROWEST))

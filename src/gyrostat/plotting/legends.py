@@ -1,5 +1,5 @@
 """Puts legends and titles above flat axes, or the legend below a view of space, in columns that fit."""
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
@@ -12,8 +12,8 @@ PART, SMALLEST = 0.24, 5.0                             # of a figure, the most; 
 SWATCH = 3.6                                           # line and gaps of a legend, in sizes of its letters
 
 
-def legend(ax: Any, handles: Sequence[Any], columns: int | None = None, title: str = "",
-           marks: Sequence[Marks] = ()) -> None:
+def legend(ax: Any, handles: Sequence[Any], columns: int | None = None,
+           title: Callable[[float], str] = lambda space: "", marks: Sequence[Marks] = ()) -> None:
     """Draw the legend and the title above it; names of marks stand beside them, where there is room.
 
     Parameters
@@ -23,7 +23,8 @@ def legend(ax: Any, handles: Sequence[Any], columns: int | None = None, title: s
         what the legend names
     columns : int or None
         at most; None: all in a row
-    title : str
+    title : callable
+        gives the text that fits axes of a width in points
     marks : sequence of Marks
         those without room beside them are named in the legend
     """
@@ -42,21 +43,22 @@ def legend(ax: Any, handles: Sequence[Any], columns: int | None = None, title: s
         beside = [kind for kind in beside if kind not in left]
 
 
-def _rows(ax: Any, handles: Sequence[Any], columns: int | None, title: str) -> None:
-    """The legend in columns, and the title above it."""
-    rows, most = 0.0, columns or len(handles)
+def _rows(ax: Any, handles: Sequence[Any], columns: int | None, title: Callable[[float], str]) -> None:
+    """The legend in columns, and the title above it, in the room that the axes have without a legend."""
+    if ax.get_legend():
+        ax.get_legend().remove()
+    wide, rows, most = room(ax), 0.0, columns or len(handles)
     if handles and ax.name == "3d":
-        _legend(ax, handles, most, room(ax), loc="upper center", bbox_to_anchor=(0.5, 0.03),
-                borderaxespad=0.2)
+        _legend(ax, handles, most, wide, loc="upper center", bbox_to_anchor=(0.5, 0.03), borderaxespad=0.2)
     elif handles:
         ticks = ax.yaxis.get_major_formatter()
         ticks.format_ticks(ax.get_yticks())
         pad = 1.6 if ticks.get_offset() else 0.2       # room for a power of ten that the ticks have in common
-        start, space = _span(ax)
-        size, lines = _legend(ax, handles, most, space, loc="lower left", bbox_to_anchor=(start, 1),
-                              borderaxespad=pad)
+        outside = _outside(ax)
+        size, lines = _legend(ax, handles, most, wide * (1 + outside), loc="lower left",
+                              bbox_to_anchor=(-outside, 1), borderaxespad=pad)
         rows = size * (1.65 * lines + pad)
-    ax.set_title(title, pad=4 + rows, fontsize="medium", va="bottom")
+    ax.set_title(title(wide), pad=4 + rows, fontsize="medium", va="bottom")
 
 
 def _legend(ax: Any, handles: Sequence[Any], most: int, space: float, **where: Any) -> tuple[float, int]:
@@ -88,14 +90,10 @@ def room(ax: Any) -> float:
     return float(ax.get_window_extent().width * 72 / figure.dpi)
 
 
-def _span(ax: Any) -> tuple[float, float]:
-    """Where a legend of flat axes begins, above the label of the axis, in widths of the axes; its room."""
-    if ax.get_legend():
-        ax.get_legend().remove()
-    space = room(ax)
+def _outside(ax: Any) -> float:
+    """How far the label of the axis of flat axes, above which a legend begins, is beside them, in widths."""
     frame, label = ax.get_window_extent(), ax.yaxis.get_tightbbox()
-    outside = max(0.0, float(frame.x0 - label.x0)) / frame.width if label else 0.0
-    return -outside, space * (1 + outside)
+    return max(0.0, float(frame.x0 - label.x0)) / frame.width if label else 0.0
 
 
 def _columns(handles: Sequence[Any], most: int, space: float) -> int:

@@ -49,7 +49,7 @@ def draw_smelt_plane(rotor: Any = 0, bodies: Mapping[str, Sequence[Any]] | None 
     ax : axes
         new ones where they are left out
     **kwargs : Any
-        of the image of the verdicts: of Axes.imshow
+        of the image of the verdicts: as matplotlib.image.AxesImage takes them
 
     Returns
     -------

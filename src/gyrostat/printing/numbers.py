@@ -1,9 +1,11 @@
 """Writes exact numbers: as they are if they are short, otherwise by their first digits."""
+from collections.abc import Iterator
 from decimal import ROUND_DOWN, ROUND_HALF_EVEN, Context, Decimal
 from fractions import Fraction
 from typing import Any
 
-from sympy import Abs, CRootOf, Expr, Float, Pow, Rational, S
+from flint import arb
+from sympy import Abs, Basic, CRootOf, Expr, Float, Pow, Rational, S, Symbol
 
 from ..algebra.enclosures.balls import Enclosed, accurate
 from ..algebra.rings.readable import readable
@@ -14,7 +16,7 @@ from .formats.unicode import unicode
 
 SHORT = 12                                             # characters of a rational number that is written whole
 READABLE = 28                                          # characters of a root, or of a polynomial with a root
-CELL = 6                                               # characters of a rational number in a column
+DIGITS, ACCURATE = 30, 110                             # of a decimal, and the bits that suffice for it
 BESIDE, ALONE = 4, 6                                   # digits beside the exact form, and without it
 SMALL, LARGE = -5, 7                                   # powers of 10 between which none is written
 NOTHING = Word("", "")
@@ -53,40 +55,24 @@ def number(value: Expr) -> Any:
     √3/4 ≈ 0.4330
     0.347296… (root of x³ − 3 x + 1)
     """
-    if value.free_symbols:
-        return tidy(value)
-    if value.has(*_NO_DECIMAL):
-        said = "infinite" if value.is_infinite else "undefined"
-        return Word(said, rf"\text{{{said}}}")
     if isinstance(value, Rational):
         return _rational(value)
-    if _is_readable(value):
-        return Number((value, Word(" ≈ ", r" \approx "), _written(_decimal(value), BESIDE, ROUND_HALF_EVEN)))
-    return Number((_first_digits(_decimal(value)), *_root_of(value)))
+    leaves = set(_leaves(value))
+    if any(isinstance(leaf, Symbol) for leaf in leaves):
+        return tidy(value)
+    if not leaves.isdisjoint(_NO_DECIMAL):
+        said = "infinite" if value.is_infinite else "undefined"
+        return Word(said, rf"\text{{{said}}}")
+    if not any(isinstance(x, (CRootOf, Enclosed, Float)) for x in leaves) and _is_readable(value):
+        near = with_digits(long_decimal(value), BESIDE, ROUND_HALF_EVEN)
+        return Number((value, Word(" ≈ ", r" \approx "), near))
+    return Number((_first_digits(long_decimal(value)), *_root_of(value)))
 
 
 def in_sentence(value: Expr) -> Any:
     """Write a number in a sentence or a list: the same without the polynomial of a root."""
     written = number(value)
     return Number(written.parts[:1]) if isinstance(value, CRootOf) else written
-
-
-def in_a_cell(value: Expr | None) -> str:
-    """Write a number in a column of a text: a short fraction as it is, of any other number four digits.
-
-    None stands for every number.
-
-    Examples
-    --------
-    >>> from sympy import sqrt
-    >>> in_a_cell(Rational(-5, 12)), in_a_cell(sqrt(2) / 2)
-    ('−5/12', '0.7071')
-    """
-    if value is None:
-        return "any"
-    if isinstance(value, Rational) and len(exact := unicode(value)) <= CELL:
-        return exact
-    return _written(_decimal(value), BESIDE, ROUND_HALF_EVEN).text
 
 
 def tidy(value: Expr) -> Expr:
@@ -103,15 +89,22 @@ def _rational(value: Rational) -> Any:
     decimal = _WORKING.divide(Decimal(top), Decimal(bottom)).normalize(_WORKING)
     digits = len(decimal.as_tuple().digits)
     if digits <= SHORT and Fraction(decimal) == Fraction(top, bottom):
-        return Number((_written(decimal, digits, ROUND_DOWN),))
+        return Number((with_digits(decimal, digits, ROUND_DOWN),))
     return Number((_first_digits(decimal),))
 
 
 def _is_readable(value: Expr) -> bool:
     """Whether the exact form is short; operations are counted first, as a text of nested roots takes long."""
-    if value.has(CRootOf, Enclosed, Float) or value.count_ops() > READABLE:
-        return False
-    return len(unicode(value)) <= READABLE
+    return bool(value.count_ops() <= READABLE) and len(unicode(value)) <= READABLE
+
+
+def _leaves(value: Basic) -> Iterator[Basic]:
+    """Yield what an expression is made of; a root of a polynomial is a leaf, its polynomial is not read."""
+    if isinstance(value, (CRootOf, Enclosed)) or not value.args:
+        yield value
+    else:
+        for part in value.args:
+            yield from _leaves(part)
 
 
 def _root_of(value: Expr) -> tuple[Any, ...]:
@@ -124,23 +117,26 @@ def _root_of(value: Expr) -> tuple[Any, ...]:
     return Word(" (root of ", r" \; (\text{root of } "), polynomial, Word(")", ")")
 
 
-def _decimal(value: Expr) -> Decimal:
-    """The number to 30 digits, or to those of a Float."""
+def long_decimal(value: Expr) -> Decimal:
+    """Return a number to 30 digits, or to those of a Float."""
     if value.is_Float:
         return Decimal(str(value))
-    enclosed = accurate(value, 110)
-    if enclosed.is_finite():
-        return Decimal(enclosed.mid().str(30, radius=False))
-    return Decimal(str(value.evalf(30)))
+    enclosed = accurate(value, ACCURATE)
+    return middle(enclosed) if enclosed.is_finite() else Decimal(str(value.evalf(DIGITS)))
+
+
+def middle(enclosure: arb) -> Decimal:
+    """Return the middle of an enclosure to 30 digits."""
+    return Decimal(enclosure.mid().str(DIGITS, radius=False))
 
 
 def _first_digits(value: Decimal) -> Word:
     """Write the first digits, and … for those that follow."""
     # the middle of a ball around 1/2 may be 0.4999…; rounded to 25 digits it is 0.5
-    return _written(_KNOWN.plus(value), ALONE, ROUND_DOWN, Word("…", r"\dots"))
+    return with_digits(_KNOWN.plus(value), ALONE, ROUND_DOWN, Word("…", r"\dots"))
 
 
-def _written(value: Decimal, digits: int, rounding: str, end: Word = NOTHING) -> Word:
+def with_digits(value: Decimal, digits: int, rounding: str, end: Word = NOTHING) -> Word:
     """Write so many digits of a decimal, with a power of 10 if it is small or large."""
     power = value.adjusted() if value else 0
     scaled = value if SMALL <= power < LARGE else value.scaleb(-power, _WORKING)

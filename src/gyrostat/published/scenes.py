@@ -50,7 +50,7 @@ class Scene(SceneTable):
         return SceneTable({name: self.table[name] for name in BODY if name in self.table}).body
 
     @cached_property
-    def parameters(self) -> set[Symbol]:
+    def parameters(self) -> frozenset[Symbol]:
         """The names of the body and the field."""
         potential = self.system.potential if "orbit" in self.table else self.potential
         return self.body.symbols | self.hull.symbols | set(potential.parameters if potential else ())

@@ -112,13 +112,18 @@ class Form(Stored):
         return False
 
     @property
+    def placed(self) -> Sequence[tuple[Sequence[str], Sequence[Expr | None]]]:
+        """The names of what tells it from others of its scene, with their numbers, not yet written out.
+
+        Those of a vector stand together: in the field of a root they are expressions when asked for.
+        """
+        return [([f"{name}{n}" for n in range(1, len(value) + 1)], value) if isinstance(name, str)
+                else ([str(name)], [value]) for name, value in self.described]
+
+    @property
     def place(self) -> dict[str, Expr | None]:
         """What tells it from others of its scene, by name; vectors by their components."""
-        found: dict[str, Expr | None] = {}
-        for name, value in self.described:
-            found |= ({f"{name}{n}": x for n, x in enumerate(value, 1)} if isinstance(name, str)
-                      else {str(name): value})
-        return found
+        return {name: x for names, numbers in self.placed for name, x in zip(names, numbers)}
 
     @property
     def point(self) -> tuple[Expr, ...]:

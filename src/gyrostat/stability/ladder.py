@@ -48,7 +48,10 @@ class Ladder(Derived):
         -------
         Decision
         """
-        standing = Standing(self, numbers, margins)
+        return self._by_rungs(Standing(self, numbers, margins))
+
+    def _by_rungs(self, standing: Standing) -> Decision:
+        """Return the decision of the first rung that applies."""
         return next(step for step in RUNGS if step.applies(standing)).decides(standing)
 
     def decide_point(self, numbers: Point, margins: dict[Expr, Expr]) -> Decision:
@@ -100,7 +103,7 @@ class Step:
 def _definite(s: Standing) -> Decision:
     """Return the decision that the second variation is definite, with Casimirs or given integrals."""
     derived = s.derived
-    if not s.eq.system.given_integrals or holds(derived.casimirs_only, s.numbers, {}):
+    if not s.eq.system.given_integrals or holds(derived.casimirs_only, s.at, {}):
         return derived.stable
     return replace(s.by_integrals, pointwise=False) if s.by_integrals.stable else derived.stable
 
@@ -149,9 +152,10 @@ def _leading(s: Standing) -> Decision:
 
     If p > 0, there are two imaginary eigenvalues beside the double eigenvalue 0, as Sokolskii's theorem asks.
     """
-    p = s.eq.insert(s.derived.linearization.coefficients[0])
+    closed = s.derived.closed
+    p = closed.named.p if closed else s.eq.insert(s.derived.linearization.coefficients[0])
     amended = loaded(f"{THEOREMS}.amended_expansion:Amended")(s.eq, s.numbers)
-    return s.after_integrals(amended.decide(sign(p, s.numbers) == 1))
+    return s.after_integrals(amended.decide(sign(p, s.at) == 1))
 
 
 # the order matters: a theorem may assume that no rung before it applies, as normal forms do of both criteria

@@ -30,14 +30,20 @@ class Standing:
         return self.derived.equilibrium
 
     @cached_property
+    def at(self) -> Point:
+        """The numbers, with those of the names in which the conditions are written."""
+        closed = self.derived.closed
+        return closed.with_names(self.numbers) if closed else self.numbers
+
+    @cached_property
     def sufficient(self) -> bool | None:
         """Whether the second variation is definite; None if a margin has no proved sign."""
-        return holds(self.derived.sufficient, self.numbers, self.margins)
+        return holds(self.derived.sufficient, self.at, self.margins)
 
     @cached_property
     def necessary(self) -> bool | None:
         """Whether no eigenvalue has a positive real part; None if a margin has no proved sign."""
-        return holds(self.derived.necessary, self.numbers, self.margins)
+        return holds(self.derived.necessary, self.at, self.margins)
 
     @cached_property
     def other(self) -> Seen | None:
@@ -48,7 +54,7 @@ class Standing:
     def degenerate(self) -> bool:
         """Whether the second variation is proved to be degenerate."""
         determinant, names = self.derived.determinant
-        return not left_open(names, self.numbers) and sign(determinant, self.numbers) == 0
+        return not left_open(names, self.numbers) and sign(determinant, self.at) == 0
 
     @cached_property
     def missing(self) -> str:

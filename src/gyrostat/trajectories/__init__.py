@@ -4,7 +4,8 @@
 about any axis a `turned_motion`) or a free body (`free`), both exact; any other scene is `integrated`. A
 `motion` answers at any times, in doubles or in more digits (`states_in_digits`): states, attitudes and
 angular velocities (`columns`), `librations` of a satellite, rates and what is conserved (`summary`). Times of
-any length are reduced in two doubles (`periods`); `elliptic` functions stay exact next to a separatrix.
+any length are reduced in two doubles (`periods`); `elliptic` functions stay exact next to a separatrix, from
+angles on the `circle`; many `equidistant` times are interpolated, to the last bits.
 `confirmation` disturbs an equilibrium and looks at the `excursions`.
 """
 from .confirmation import Confirmation, confirm

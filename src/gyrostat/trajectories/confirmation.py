@@ -16,10 +16,11 @@ from ..mechanics.equilibrium.equilibrium import Equilibrium
 from ..mechanics.equilibrium.standard_axes import seen_at
 from ..mechanics.scenes.coupled import in_one_direction
 from ..stability.criteria.numbers_asked import exact_values
-from ..stability.criteria.truth import holds, sign_at
+from ..stability.criteria.truth import sign_at
 from ..stability.decision import Decision, Verdict
 from ..stability.report.analysis import analyze
 from ..stability.report.report import Report
+from ..stability.standing import Standing
 from ..stability.theorems.boundary import Boundary
 from .excursions import SLOW, TURNED, Distance, excursion
 from .models import free_names, motion, with_numbers
@@ -234,7 +235,7 @@ def _expected(report: Report, decision: Decision, numbers: Point) -> float | Non
         return 0.0 if decision.verdict is Verdict.UNSTABLE else None
     if known := seen_at(report.equilibrium, numbers):      # of revolution at these numbers
         report = analyze(known.equilibrium)
-    if holds(report.sufficient, numbers, {}):
+    if Standing(report, numbers, {}).sufficient:
         return 1.0
     return _on_boundary(report.boundary, numbers) if report.boundary else None
 

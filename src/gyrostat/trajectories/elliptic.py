@@ -11,10 +11,10 @@ from typing import Any, NamedTuple
 import numpy as np
 from flint import acb, arb, ctx
 
-from ..algebra.enclosures.double_double import Twofold
 from ..algebra.enclosures.floats import Array
 from ..algebra.enclosures.precision import own_precision
-from .periods import pair, reduced
+from .circle import circle
+from .periods import double
 
 
 def jacobi(u: Array, complement: float) -> tuple[Array, Array, Array]:
@@ -23,7 +23,7 @@ def jacobi(u: Array, complement: float) -> tuple[Array, Array, Array]:
     Parameters
     ----------
     u : array of floats, any shape
-        any size: it is reduced to abs(u) ≤ K
+        some K at most: it has its own rounding error
     complement : float
         m1 from 0, the hyperbolic functions, to 1, the circular ones
 
@@ -47,18 +47,14 @@ def jacobi(u: Array, complement: float) -> tuple[Array, Array, Array]:
         sech = 1 / np.cosh(np.clip(u, -710, 710))
         return np.tanh(u), sech, sech
     steps = landen(complement)
-    n, v = reduced(u, steps.half)
-    phase = steps.rate * v
-    sn, cn, dn = raised(np.sin(phase), np.cos(phase), steps)
-    sign = 1 - 2 * (n % 2)
-    return sign * sn, sign * cn, dn + 0 * v
+    sn, cn, dn = raised(*circle(u * steps.turns), steps)
+    return sn, cn, dn if steps.levels else np.ones_like(u)
 
 
 class Landen(NamedTuple):
-    """The descending transformation of a parameter: 2 K, π/2K; a, b and their mean from the last step up."""
+    """The descending transformation of a parameter: 1/4K; a, b and their mean from the last step up."""
 
-    half: Twofold
-    rate: float
+    turns: float
     levels: tuple[tuple[float, float, float], ...]
 
 
@@ -66,17 +62,17 @@ class Landen(NamedTuple):
 def landen(complement: float) -> Landen:
     """Return the steps from m1 to the circular functions, in doubles."""
     with own_precision(128):
-        half = pair(2 * quarter_period(arb(complement)))
+        turns = double(1 / (4 * quarter_period(arb(complement))))
     levels, a, b = [], 1.0, math.sqrt(complement)
     while a - b > 4e-16 * a:
         mean = (a + b) / 2
         levels.append((a, b, mean))
         a, b = mean, math.sqrt(a * b)
-    return Landen(half, a, tuple(reversed(levels)))
+    return Landen(turns, tuple(reversed(levels)))
 
 
-def raised(sine: Any, cosine: Any, steps: Landen) -> tuple[Any, Any, Any]:
-    """Return (sn, cn, dn) at abs(u) ≤ K from the sine and cosine of π u/2K, numbers or arrays."""
+def raised(cosine: Any, sine: Any, steps: Landen) -> tuple[Any, Any, Any]:
+    """Return (sn, cn, dn) from the cosine and sine of π u/2K, numbers or arrays."""
     return _ascended(sine, cosine, 1.0, steps.levels)
 
 

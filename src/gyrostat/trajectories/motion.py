@@ -21,7 +21,7 @@ class Motion:
     """The state of a scene at any time: call it with times.
 
     motion(t), t [T] of any shape, has the shape (..., n), in the order of scene.space.coordinates; in
-    doubles, or, with a precision, in mpmath.mpf at exact numbers t. It is made by trajectories.motion.
+    doubles, in long equidistant rows interpolated to the last bits; with a precision in mpmath.mpf.
 
     Parameters
     ----------
@@ -49,13 +49,8 @@ class Motion:
     def __call__(self, t: Any) -> Array:
         """Return the states at the times t [T], shape (..., n)."""
         if self._digits is None:
-            return states_in_doubles(self._route, self._start, t)
+            return states_in_doubles(self._route, self.state, t)
         return states_in_digits(self._route, self.state, t, self._digits)
-
-    @cached_property
-    def _start(self) -> Array:
-        """The state at the time 0 in doubles."""
-        return np.array([float(x) for x in self.state])
 
     def attitude(self, t: Any) -> Array:
         """Return R from the body to space, x_space = R x_body, in doubles.

@@ -1,7 +1,11 @@
 """Reduces times of any length by periods and turns in two doubles: no error grows with their number."""
+from contextlib import suppress
+
 import numpy as np
 from flint import arb
+from sympy import Expr, Rational
 
+from ..algebra.enclosures.balls import accurate
 from ..algebra.enclosures.double_double import Twofold, scaled
 from ..algebra.enclosures.floats import Array
 from ..algebra.enclosures.precision import own_precision
@@ -9,6 +13,7 @@ from ..errors import AccuracyError, ValuesError
 
 # the most periods: their number is exact in doubles, and so is its product with a turn, mod 1
 LONGEST = 2.0**49
+DOUBLE = 64                                                # bits of a number that is rounded to a double
 
 
 def pair(x: arb) -> Twofold:
@@ -41,6 +46,22 @@ def double(x: arb) -> float:
     except OverflowError:
         raise AccuracyError("a constant of the motion is above 1.8e308, beyond doubles: give the numbers in "
                             "other units") from None
+
+
+def nearest(number: Expr) -> float:
+    """Return the double nearest to an exact number.
+
+    Examples
+    --------
+    >>> from sympy import Rational, sqrt
+    >>> nearest(Rational(1, 3)) == 1 / 3, nearest(sqrt(10**40 + 1) - 10**20)
+    (True, 5e-21)
+    """
+    if isinstance(number, Rational):
+        with suppress(OverflowError):
+            return int(number.p) / int(number.q)
+    enclosure = accurate(number, DOUBLE)
+    return double(enclosure) if enclosure.is_finite() else float(number)
 
 
 def reduced(t: Array, period: Twofold) -> tuple[Array, Array]:

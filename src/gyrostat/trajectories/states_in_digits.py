@@ -12,6 +12,7 @@ from ..algebra.enclosures.floats import Array, doubles
 from ..algebra.enclosures.precision import own_precision
 from ..algebra.text.numbers import exact_number, shown
 from ..errors import AccuracyError
+from .periods import nearest
 from .route import Route
 
 
@@ -26,12 +27,12 @@ def in_digits(x: arb, digits: int) -> mpmath.mpf:
     return mpmath.mpf((mantissa, exponent), dps=digits)
 
 
-def states_in_doubles(route: Route, start: Array, t: Any) -> Array:
+def states_in_doubles(route: Route, start: Sequence[Expr], t: Any) -> Array:
     """Return the states at times of any shape; at the time 0 as it was given."""
     times = doubles(t, "the times")
     states = route.state(times)
     if not times.all():
-        states[times == 0] = start
+        states[times == 0] = [nearest(x) for x in start]
     return states
 
 

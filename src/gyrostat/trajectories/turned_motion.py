@@ -1,10 +1,12 @@
 """Turns motions into other axes: those of a body of revolution, or of a free body, in its own axes."""
 from collections.abc import Sequence
+from functools import lru_cache
 
 import numpy as np
 from flint import arb
 from sympy import Expr, ImmutableMatrix, Matrix, trigsimp
 
+from .._cached import cached_property
 from ..algebra.enclosures.algebraic import is_algebraic
 from ..algebra.enclosures.balls import ball
 from ..algebra.enclosures.floats import Array
@@ -51,9 +53,13 @@ class TurnedMotion:
         self._R = np.array([[double(ball(x, CONSTANT)) for x in row] for row in R.tolist()])
         self.name, self.recognised = standard.name, recognised
         self.axis = self._R[2] if recognised else standard.axis
-        phi = euler(standard.attitude(np.zeros(())) @ self._R)[0]
+
+    @cached_property
+    def _upright(self) -> Array:
+        """The turn about the vertical with which φ = 0 at t = 0."""
+        phi = euler(self._standard.attitude(np.zeros(())) @ self._R)[0]
         c, s = np.cos(phi), np.sin(phi)
-        self._upright = np.array([[c, s, 0.0], [-s, c, 0.0], [0.0, 0.0, 1.0]])
+        return np.array([[c, s, 0.0], [-s, c, 0.0], [0.0, 0.0, 1.0]])
 
     def state(self, t: Array) -> Array:
         """Return (π, k) at times of any shape, shape (..., 6)."""
@@ -122,11 +128,20 @@ def turned_top(found: Recognition, state: Sequence[Expr], bits: int) -> TurnedMo
 
 def turned_free(scene: System, state: Sequence[Expr]) -> TurnedMotion:
     """Return the motion of a free body whose tensor is given in any axes, in principal ones."""
+    standard, R = _in_principal_axes(scene)
+    return TurnedMotion(FreeMotion(standard, list(R * Matrix(state))), R, CONSTANT)
+
+
+@lru_cache(maxsize=64)
+def _in_principal_axes(scene: System) -> tuple[System, ImmutableMatrix]:
+    """Return the scene of the same free body in principal axes, and the rotation to them."""
     body, R = principal_axes(scene.body)
-    return TurnedMotion(FreeMotion(assemble(body), list(R * Matrix(state))), R, CONSTANT)
+    return assemble(body), R
 
 
 def of_revolution(scene: System, state: Sequence[Expr]) -> Recognition | None:
-    """Return what a scene in numbers is on the sphere of k on which a state moves."""
+    """Return what a scene in numbers is on the sphere of k on which a state moves; None in two directions."""
+    if scene.coupled:
+        return None
     square = sum(x**2 for x in state[3:])
     return recognise(scene, lowest(square) if is_algebraic(square) else trigsimp(square))

@@ -14,10 +14,10 @@ from hypothesis import strategies as st
 from sympy import Rational, cos, exp, log, sin, sqrt
 
 import gyrostat as gs
+from gyrostat.charts.programs.rounding import error_bound
+from gyrostat.charts.programs.straightline import program_of
 from gyrostat.charts.signs import compiled_margins
 from gyrostat.charts.signs.compiled_margins import compile_margin
-from gyrostat.charts.signs.rounding import error_bound
-from gyrostat.charts.signs.straightline import program_of
 from gyrostat.stability.criteria.conditions import Condition, Criterion
 
 x, y, z, b = map(gs.symbol, ("x", "y", "z", "b"))

@@ -10,8 +10,8 @@ from sympy import Rational
 
 import gyrostat as gs
 from gyrostat.algebra.reals.exact import sign
+from gyrostat.charts.programs.straightline import program_of
 from gyrostat.charts.signs.dyadic import LONGEST, WORD, dyadic_signs, dyadics
-from gyrostat.charts.signs.straightline import program_of
 
 x, y, z = map(gs.symbol, "xyz")
 doubles = st.builds(math.ldexp, st.integers(-2**53, 2**53),

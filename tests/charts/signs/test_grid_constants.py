@@ -9,8 +9,8 @@ from sympy import Rational, sqrt
 import gyrostat as gs
 from gyrostat.algebra.reals.exact import sign
 from gyrostat.charts.grids import grid_of
+from gyrostat.charts.programs.straightline import Writer, _program, program_of
 from gyrostat.charts.signs.grid_constants import LONG, with_constants
-from gyrostat.charts.signs.straightline import _program, _Writer, program_of
 
 U1, U2, OMEGA, SIGMA = map(gs.symbol, ("u1", "u2", "omega", "sigma"))
 
@@ -71,6 +71,6 @@ def test_a_sum_is_folded_as_if_all_pairs_were_compared(margins, monkeypatch):
     axes = {U2: frozenset({0}), U1: frozenset({1})}
     short = with_constants(margins[0], grid_of({"omega": 1, "sigma": -2, "u1": np.zeros(2)}))
     ours = program_of(short, axes)
-    monkeypatch.setattr(_Writer, "_candidates", lambda self, terms: range(len(terms)))
+    monkeypatch.setattr(Writer, "_candidates", lambda self, terms: range(len(terms)))
     _program.cache_clear()
     assert program_of(short, axes) == ours

@@ -13,10 +13,10 @@ from sympy import Integer, Rational, cos, log, sin
 
 import gyrostat as gs
 from gyrostat.charts.grids import grid_of
+from gyrostat.charts.programs.rounding import error_bound
+from gyrostat.charts.programs.straightline import program_of
 from gyrostat.charts.signs import grid_signs as arraysigns
 from gyrostat.charts.signs.grid_signs import UNKNOWN, ArraySigns
-from gyrostat.charts.signs.rounding import error_bound
-from gyrostat.charts.signs.straightline import program_of
 
 x, y, z, b = map(gs.symbol, ("x", "y", "z", "b"))
 BACKENDS = ["numpy", "numba"]

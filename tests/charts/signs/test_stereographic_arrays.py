@@ -61,7 +61,7 @@ def by_oracle(numbers):
 @pytest.mark.slow
 def test_on_a_boundary_the_sign_is_exact(report):
     """Where s = 0 along a line through doubles, and beside it: the array is the report."""
-    (_, s), names = report.sufficient.alternatives[0], ("omega", "u1", "u2")
+    (_, s), names = report.written_out.sufficient.alternatives[0], ("omega", "u1", "u2")
     place = dict(zip(names, (Rational(1), Rational(1, 2), Rational(1, 4))))
     in_sigma = s.margin.xreplace({gs.symbol(name): x for name, x in place.items()})
     coefficients = [float(c) for c in in_sigma.as_poly(gs.symbol("sigma")).all_coeffs()]

@@ -18,7 +18,7 @@ import gyrostat as gs
 from gyrostat.charts import verdicts
 from gyrostat.charts.codes import INVALID, STABLE, UNDECIDED, UNSTABLE
 from gyrostat.charts.signs import grid_signs as arraysigns
-from gyrostat.charts.signs import verdicts_in_blocks
+from gyrostat.charts.signs import leaves, verdicts_in_blocks
 from gyrostat.stability.criteria.conditions import Condition, Criterion
 
 BACKENDS = ["numpy", "numba"]
@@ -195,10 +195,10 @@ def test_one_thread_at_a_time_computes_enclosures(reports, tiny_blocks, monkeypa
 
     They are computed under one lock, those of the first look at a grid too.
     """
-    locked, real = [], arraysigns.ball
-    monkeypatch.setattr(arraysigns, "ball", lambda
-                        *given: locked.append(arraysigns.ONE_AT_A_TIME._is_owned()) or real(*given))
-    arraysigns._near.cache_clear()
+    locked, real = [], leaves.ball
+    monkeypatch.setattr(leaves, "ball", lambda
+                        *given: locked.append(leaves.ONE_AT_A_TIME._is_owned()) or real(*given))
+    leaves._near.cache_clear()
     verdicts(reports["E1 exp"], I1=1, b=np.array([[0.5], [0.25]]), l=sqrt(2), pi3_0=np.linspace(-1, 1, 9),
              threads=threads)
     assert locked and all(locked)

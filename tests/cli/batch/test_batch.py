@@ -5,10 +5,13 @@ import os
 import subprocess
 import sys
 import threading
+from argparse import Namespace
 
 import pytest
 from commands import decide
+from sympy import Rational
 
+from gyrostat.cli.batch import batch_lines
 from gyrostat.cli.parser import main
 
 TOPS = ["--equilibrium", "E1", "--potential", "m0*k3", "--set", "I1=1", "--set", "I3=1.6", "--set", "l=0",
@@ -157,3 +160,18 @@ def test_an_equilibrium_or_a_potential_of_another_kind_is_refused(capsys, monkey
     status, results, err = batch(capsys, monkeypatch, lines)
     assert status == 2 and "internal error" not in err
     assert len(results) == len(lines) and all("give a potential as a text" in r["error"] for r in results)
+
+
+def test_lines_that_ask_the_same_share_the_scene(monkeypatch):
+    """A line has its own scene, equilibrium and numbers; what only depends on names is found once."""
+    asked, find = [], batch_lines.asked_of
+    monkeypatch.setattr(batch_lines, "asked_of", lambda *given: asked.append(given) or find(*given))
+    questions = batch_lines.Questions(Namespace(potential="m0*k3", equilibrium="E1", point="0,0,pi3_0,0,0,1",
+                                                values=["l=0", "pi3_0=1"]))
+    first, second = (questions.of(b'{"I1": %d, "m0": "1/2"}' % n) for n in (1, 2))
+    assert first[0] is second[0] and first[1:] == ("E1", {"l": 0, "pi3_0": 1, "I1": 1, "m0": Rational(1, 2)})
+    assert second[2]["I1"] == 2
+    other = questions.of(b'{"I1": 1, "I2": 2, "potential": "k1", "equilibrium": "e2", "omega3_0": 1}')
+    assert other[0].inertia == "I1,I2,I3" and other[0].potential == "k1" and other[0].point is None
+    assert other[1:] == ("E2", {"l": 0, "I1": 1, "I2": 2, "omega3_0": 1})
+    assert len(asked) == 3                             # of the options, of two lines, and of the other one

@@ -9,7 +9,7 @@ import pytest
 from commands import run
 
 import gyrostat
-from gyrostat.cli.batch.batch_lines import question
+from gyrostat.cli.batch.batch_lines import Questions
 from gyrostat.cli.parser import main, parser
 from gyrostat.errors import PublishedError, ValuesError
 from gyrostat.mechanics.families.family import Family
@@ -209,8 +209,8 @@ def test_a_family_is_one_entry(capsys, asleep):
     _, out, _ = run(capsys, "--potential", "m0*k3", "--equilibrium", "E4", "--solve-for", "l",
                     "--set", "I1=1", "--set", "m0=1", "--set", "pi3_0=1", verb="conditions")
     assert out.startswith("E4\n") and "l ≥ 1" in out
-    given = Namespace(potential=None, equilibrium=None, point=None)
-    line = question(b'{"equilibrium": "E4", "I1": 1}', given, {})
+    given = Namespace(potential=None, equilibrium=None, point=None, values=[])
+    line = Questions(given).of(b'{"equilibrium": "E4", "I1": 1}')
     assert line[1] == "E4"
     with pytest.raises(SystemExit):
         main(["chart", "--help"])

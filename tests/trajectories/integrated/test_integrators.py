@@ -12,7 +12,8 @@ from sympy import Rational, asin, besselj, cosh, exp, log, sin, sqrt, tan
 import gyrostat as gs
 from gyrostat.algebra.enclosures.arithmetic import in_arithmetic
 from gyrostat.errors import AccuracyError, MissingExtraError, ScopeError
-from gyrostat.trajectories.integrated.integrators import METHODS, RungeKutta, beside, floats, nearest
+from gyrostat.trajectories.integrated.integrators import METHODS, RungeKutta, _compiled, beside, floats
+from gyrostat.trajectories.periods import nearest
 
 x, y = map(gs.symbol, ("x", "y"))
 KINDS = ["DOP853", pytest.param("heyoka",
@@ -24,7 +25,7 @@ EXPRESSIONS = [x**3 * y - 2 * y, (x + y) ** -2, sqrt(x) + y**Rational(-3, 2), ex
 
 
 def run(kind, rates, start, tolerance=None):
-    return METHODS[kind](rates, np.array(start), nearest, tolerance or METHODS[kind].FINE)
+    return METHODS[kind](tuple(rates), np.array(start), nearest, tolerance or METHODS[kind].FINE)
 
 
 @pytest.mark.parametrize("expression", EXPRESSIONS, ids=str)
@@ -48,6 +49,17 @@ def test_heyoka_integrates_the_expression(expression):
                for step in (0, h / 2, h))
     # h⁵ f⁗ / 2880, f⁗ below 200
     assert abs(end - h * (a + 4 * b + c) / 6) < 1e-11
+
+
+def test_code_is_compiled_once_for_one_form_of_equations():
+    """Other numbers are other parameters of the same code, and each run is that of its own numbers."""
+    pytest.importorskip("heyoka")
+    _compiled.cache_clear()
+    ends = {a: run("heyoka", [(x, a * y), (y, -x / a)], [0.0, 1.0]).reach(np.array([1.0]))[0]
+            for a in (Rational(2, 3), Rational(5, 7), Rational(9, 4))}
+    assert _compiled.cache_info().misses == 1
+    for a, end in ends.items():                            # (a sin t, cos t)
+        np.testing.assert_allclose(end, [float(a) * np.sin(1.0), np.cos(1.0)], rtol=0, atol=1e-15)
 
 
 def test_what_is_not_elementary_is_refused():
@@ -97,4 +109,4 @@ def test_a_missing_package_is_named(monkeypatch):
     """Without SciPy the error has the command that installs it."""
     monkeypatch.setitem(__import__("sys").modules, "scipy.integrate", None)
     with pytest.raises(MissingExtraError, match=r"gyrostat\[trajectories\]"):
-        RungeKutta([(x, x)], np.array([1.0]), nearest, 1e-9)
+        RungeKutta(((x, x),), np.array([1.0]), nearest, 1e-9)

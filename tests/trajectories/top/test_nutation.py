@@ -111,10 +111,10 @@ def test_doubles_follow_the_enclosures(case):
         u = K * np.array([-1, -0.9, -0.6, 0.0, 0.3, 0.8, 1])
         shapes = [path.shape(arb(v)) for v in u]
         exact = np.array([[float(x) for x in (c * c, s * s, s * c, turn)] for s, c, turn in shapes]).T
-    half = np.sin(np.pi / 2 * u / K), np.cos(np.pi / 2 * u / K)
+    half = np.cos(np.pi / 2 * u / K), np.sin(np.pi / 2 * u / K)
     found = np.array(path.squares(u, half))
     np.testing.assert_allclose(found, exact, rtol=0, atol=5e-15 * max(1, np.abs(exact).max()))
-    singly = [path.squares(v, (s, c)) for v, s, c in zip(u, *half)]
+    singly = [path.squares(v, (c, s)) for v, c, s in zip(u, *half)]
     np.testing.assert_array_equal(np.array(singly).T, found)
 
 

@@ -54,7 +54,7 @@ def test_periodic_integrals(bits):
 
 def in_doubles(found, u):
     """The integrals less their linear parts, and the functions."""
-    place, n = found.place(u, found.half(u)), len(found.means)
+    place, n = found.place(u), len(found.means)
     curves = [found.curve([int(i == j) for j in range(n)]) for i in range(n)]
     return tuple(np.array([getattr(curve, what)(place) + 0 * u for curve in curves])
                  for what in ("bounded", "rate"))
@@ -82,7 +82,7 @@ def test_a_curve_of_a_sum():
         found, ends = periodic(), at_infinity()
     for one in (found, ends):
         u = np.float64(0.7)
-        place = one.place(u, one.half(u))
+        place = one.place(u)
         values, slopes = in_doubles(one, u)
         both = one.curve([1, -1, *[0] * (len(one.means) - 2)])
         assert both.bounded(place) == pytest.approx(values[0] - values[1], abs=1e-15)

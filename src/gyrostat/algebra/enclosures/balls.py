@@ -59,6 +59,22 @@ def finite_ball(number: Expr, precision: int) -> arb:
     return enclosure
 
 
+def is_undefined(value: Expr) -> bool:
+    """Tell whether an expression is known not to be a finite real number.
+
+    A ball answers for a constant, because SymPy may take seconds for an algebraic number.
+
+    Examples
+    --------
+    >>> root = sympy.CRootOf(sympy.symbols("x") ** 5 - 2, 0)
+    >>> [is_undefined(x) for x in (1 / root, sympy.sqrt(1 - root))]
+    [False, True]
+    """
+    if not value.free_symbols and ball(value, 64).is_finite():
+        return False
+    return value.is_finite is False or value.is_real is False or value.has(sympy.nan)
+
+
 def accurate(number: Expr, bits: int) -> arb:
     """Enclose an exact number to so many significant bits; return 0 if it cannot be told from 0.
 

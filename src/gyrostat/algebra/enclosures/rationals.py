@@ -29,5 +29,5 @@ def to_sympy(number: fmpq | Fraction | float) -> Rational:
     (3/4, 1/2)
     """
     if isinstance(number, fmpq):
-        return Rational(int(number.p), int(number.q))
-    return Rational(*number.as_integer_ratio())
+        return Rational.from_coprime_ints(int(number.p), int(number.q))
+    return Rational.from_coprime_ints(*map(int, number.as_integer_ratio()))

@@ -62,6 +62,13 @@ class Point(dict[Symbol, Expr]):
         # made for every verdict, hence without a call of to_flint
         self.rational = {s: fmpq(x.p, x.q) for s, x in self.items() if isinstance(x, Rational)}
 
+    def joined(self, more: Iterable[tuple[Symbol, Expr]]) -> "Point":
+        """Return the point with the numbers of other symbols besides."""
+        found = Point(dict(more), self.doubt)
+        found.update(self)
+        found.rational.update(self.rational)
+        return found
+
     def rational_at(self, symbols: Sequence[Symbol]) -> list[fmpq] | None:
         """Return the numbers of some symbols; None if one is not given or not rational."""
         try:
@@ -75,6 +82,8 @@ def evaluate(expression: Expr, values: Mapping[Symbol, Expr]) -> Expr:
 
     It is a Rational if all numbers are rational and the expression is a fraction of polynomials.
     """
+    if expression in values:                               # a name
+        return values[expression]
     given = values if isinstance(values, Point) else Point(values)
     fraction = compiled(expression)
     point = None if fraction is None else given.rational_at(fraction[0])

@@ -1,10 +1,20 @@
-"""Rank, kernel and negative squares (index of inertia) of matrices of exact numbers, each zero proved."""
+"""Matrices of exact numbers: rank, kernel and negative squares (index of inertia), each zero proved.
+
+Matrices of rationals are FLINT's, all others SymPy's, with exact signs.
+"""
+from collections.abc import Sequence
+from functools import reduce
+from operator import mul
+from typing import TypeAlias
+
 from flint import fmpq_mat
 from sympy import Expr, Matrix, Rational
 
 from ..enclosures.rationals import to_flint
 from ..rings.matrices import characteristic
 from .exact import evaluate, sign_changes, sign_of_constant
+
+Numbers: TypeAlias = fmpq_mat | Matrix
 
 
 class NotProvedError(ArithmeticError):
@@ -16,7 +26,14 @@ def exact(x: Expr) -> Expr:
     return evaluate(x, {})
 
 
-def rank(matrix: Matrix) -> int:
+def matrices_of(*several: Sequence[Sequence[Expr]]) -> list[Numbers]:
+    """Return matrices by their rows of exact numbers: all of them FLINT's if every entry is rational."""
+    if all(isinstance(x, Rational) for rows in several for row in rows for x in row):
+        return [fmpq_mat([list(map(to_flint, row)) for row in rows]) for rows in several]
+    return [Matrix(rows) for rows in several]
+
+
+def rank(matrix: Numbers) -> int:
     """Return the rank; raise NotProvedError if a pivot is not proved to be 0 or not to be 0.
 
     Examples
@@ -25,23 +42,54 @@ def rank(matrix: Matrix) -> int:
     >>> rank(Matrix([[sqrt(2), 2], [1, sqrt(2)]]))
     1
     """
-    if all(isinstance(x, Rational) for x in matrix):
-        return fmpq_mat(matrix.rows, matrix.cols, list(map(to_flint, matrix))).rank()
+    if isinstance(matrix, fmpq_mat):
+        return matrix.rank()
     return int(matrix.rank(simplify=exact, iszerofunc=_is_zero))
 
 
-def kernel(matrix: Matrix) -> Matrix:
-    """Return columns that span {x : matrix x = 0}; NotProvedError is raised as for the rank."""
-    found = matrix.nullspace(simplify=exact, iszerofunc=_is_zero)
-    return Matrix.hstack(Matrix(matrix.cols, 0, []), *found).applyfunc(exact)
+def kernel(matrix: Numbers) -> Numbers:
+    """Return columns that span {x : matrix x = 0}; NotProvedError is raised as for the rank.
+
+    Examples
+    --------
+    >>> kernel(fmpq_mat([[1, 2, 0], [2, 4, 3]]))
+    [-2]
+    [ 1]
+    [ 0]
+    """
+    if not isinstance(matrix, fmpq_mat):
+        found = matrix.nullspace(simplify=exact, iszerofunc=_is_zero)
+        return Matrix.hstack(Matrix(matrix.cols, 0, []), *found).applyfunc(exact)
+    reduced, size = matrix.rref()
+    pivots = [next(j for j in range(matrix.ncols()) if reduced[i, j]) for i in range(size)]
+    free = [j for j in range(matrix.ncols()) if j not in pivots]
+    columns = fmpq_mat(matrix.ncols(), len(free))
+    for n, j in enumerate(free):
+        columns[j, n] = 1
+        for i, pivot in enumerate(pivots):
+            columns[pivot, n] = -reduced[i, j]
+    return columns
 
 
-def form_on(form: Matrix, columns: Matrix) -> Matrix:
+def product(*factors: Numbers) -> Numbers:
+    """Return the product of matrices, all of them FLINT's or all SymPy's."""
+    found = reduce(mul, factors)
+    return found if isinstance(found, fmpq_mat) else found.applyfunc(exact)
+
+
+def stacked(blocks: Sequence[Numbers]) -> Numbers:
+    """Return the matrix with the rows of all blocks."""
+    if isinstance(blocks[0], fmpq_mat):
+        return fmpq_mat([row for block in blocks for row in block.tolist()])
+    return Matrix.vstack(*blocks)
+
+
+def form_on(form: Numbers, columns: Numbers) -> Numbers:
     """Return the matrix of a bilinear form on the span of some columns."""
-    return (columns.T * form * columns).applyfunc(exact)
+    return product(columns.transpose(), form, columns)
 
 
-def negative_squares(form: Matrix) -> int:
+def negative_squares(form: Numbers) -> int:
     """Return the number of negative squares of a symmetric matrix.
 
     It is the number of changes of sign in det(λ + A): Descartes' rule is exact, since all roots are real.
@@ -51,6 +99,8 @@ def negative_squares(form: Matrix) -> int:
     >>> negative_squares(Matrix([[0, 1], [1, 0]]))
     1
     """
+    if isinstance(form, fmpq_mat):
+        return sign_changes((c > 0) - (c < 0) for c in reversed((-form).charpoly().coeffs()))
     return sign_changes(map(_sign, characteristic(form.tolist()))) if form.rows else 0
 
 

@@ -4,6 +4,7 @@ The signs of a form are those between its real roots, on the line x = 1. The val
 splitting lemma: x is eliminated by the power series along which the slope in x is 0.
 """
 from collections.abc import Iterator, Mapping, Sequence
+from functools import cache
 
 from flint import arb
 from sympy import Dummy, Expr, S, binomial, oo
@@ -98,17 +99,17 @@ def valley(forms: Sequence[Form]) -> Iterator[Expr]:
             place = n, i + j - n
             sheared[place] = sheared.get(place, S.Zero) + c * binomial(i, n) * shear ** (i - n)
     bottom = [S.Zero, S.Zero]                          # x = Σ bottom[n] yⁿ, where the slope along x is 0
+
+    @cache                                             # each term that is asked for is final by then
+    def power(exponent: int, n: int) -> Expr:
+        """Return the coefficient of yⁿ in a power of x."""
+        if exponent < 2:
+            return bottom[n] if exponent else S.One if n == 0 else S.Zero
+        return sum((bottom[m] * power(exponent - 1, n - m) for m in range(2, n - 2 * exponent + 3)), S.Zero)
+
     for n in range(3, len(forms)):
-        slope = sum((i * c * _power(bottom, i - 1, n - 1 - j) for (i, j),
+        slope = sum((i * c * power(i - 1, n - 1 - j) for (i, j),
                      c in sheared.items() if i and j < n), S.Zero)
         bottom.append(lowest_terms(-slope / (2 * square)))
-        yield lowest_terms(square * _power(bottom, 2, n)
-                    + sum((c * _power(bottom, i, n - j) for (i, j), c in sheared.items() if j <= n), S.Zero))
-
-
-def _power(series: Sequence[Expr], exponent: int, n: int) -> Expr:
-    """Return the coefficient of yⁿ in a power of a series."""
-    if exponent == 0:
-        return S.One if n == 0 else S.Zero
-    return sum((series[m] * _power(series, exponent - 1, n - m) for m in range(2, min(len(series), n + 1))),
-               S.Zero)
+        yield lowest_terms(square * power(2, n)
+                    + sum((c * power(i, n - j) for (i, j), c in sheared.items() if j <= n), S.Zero))

@@ -3,7 +3,7 @@ from collections.abc import Sequence
 from typing import Any, overload
 
 from flint import arb, arb_poly, fmpq_poly
-from sympy import Expr
+from sympy import Expr, Rational
 
 from ..._cached import cached_property
 from ..enclosures.balls import ball
@@ -117,6 +117,12 @@ class FieldNumbers(Sequence[Expr]):
             return FieldNumbers(self.conjugates, self.root, self.places[n])
         place, factor = self.places[n]
         return factor * self.conjugates.expression(self.root, place)
+
+    def is_fraction(self, n: int) -> bool:
+        """Whether a number is a fraction; a factor that is none is taken as if it made one."""
+        tops, slope = self.conjugates.short
+        (place, factor), degree = self.places[n], slope.degree()
+        return not isinstance(factor, Rational) or tops[place] * slope[degree] == slope * tops[place][degree]
 
     def __reduce__(self) -> tuple[Any, ...]:
         return tuple, (tuple(self),)                       # python-flint's polynomials are not pickled

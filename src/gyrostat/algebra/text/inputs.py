@@ -4,6 +4,7 @@ import re
 import tomllib
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import lru_cache
 from importlib.resources.abc import Traversable
 from pathlib import Path
 from typing import Any, NoReturn
@@ -29,6 +30,7 @@ class Written:
         return self.text
 
 
+@lru_cache(maxsize=512)
 def name_of(text: str) -> str:
     """Return the name of a parameter that a text is, in ASCII, π₃⁰ as pi3_0; "" if it is none."""
     return spelled(text) if len(text) <= NAME else ""
@@ -114,13 +116,11 @@ def json_object(line: bytes) -> dict[str, Any]:
     if len(line) > LINE:
         raise ValuesError(f"it is not JSON of less than {LINE} bytes: an object has a few names and "
                           f"numbers, {{\"I1\": 1.6}}")
-    bare = re.sub(rb'"(?:\\.|[^"\\])*"', b"", line)
-    if bare.count(b"[") + bare.count(b"{") > DEPTH:
+    if _brackets(line) > DEPTH and _brackets(re.sub(rb'"(?:\\.|[^"\\])*"', b"", line)) > DEPTH:
         raise ValuesError("it is not JSON of numbers alone, but has lists or objects in it: write an "
                           "object, {\"I1\": 1.6}")
     try:
-        own = json.loads(line, object_pairs_hook=_once, parse_float=str, parse_int=str,
-                         parse_constant=_refused)
+        own = _JSON.decode(line.decode(json.detect_encoding(line), "surrogatepass"))
     except GyrostatError:
         raise
     except json.JSONDecodeError as error:
@@ -134,6 +134,10 @@ def json_object(line: bytes) -> dict[str, Any]:
     return own
 
 
+def _brackets(line: bytes) -> int:
+    return line.count(b"[") + line.count(b"{")
+
+
 def _once(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
     own: dict[str, Any] = {}
     for name, value in pairs:
@@ -145,3 +149,7 @@ def _once(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
 
 def _refused(constant: str) -> NoReturn:
     raise ValuesError(f"{constant} is not a number: give a finite number")
+
+
+# json.loads makes a decoder for each line
+_JSON = json.JSONDecoder(object_pairs_hook=_once, parse_float=str, parse_int=str, parse_constant=_refused)

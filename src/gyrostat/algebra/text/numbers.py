@@ -1,4 +1,5 @@
 """Turns numbers and expressions of users into exact mathematics; a float counts as the fraction it is."""
+import math
 import numbers
 from decimal import Decimal
 from fractions import Fraction
@@ -9,6 +10,7 @@ from sympy import CRootOf, Expr, Float, Rational, S
 
 from ...errors import ExpressionError, ValuesError, brief
 from ...notation import own, symbol
+from ..enclosures.rationals import to_sympy
 from ..rings.subexpressions import occurring
 from .bounded_parts import enclosure
 from .quantities import in_si, text_of
@@ -90,8 +92,13 @@ def exact_number(value: Any, name: str = "value") -> Expr:
     >>> exact_number("3000 rpm", "omega3_0"), exact_number("25 g m^2", "I1")
     (100*pi, 1/40)
     """
-    if type(value) in (int, Fraction):                     # by far the most common kinds, first
-        return _bounded(Rational(value.numerator, value.denominator), name)
+    # by far the most common kinds, first
+    if type(value) is str:
+        return _text(value, name)
+    if type(value) in (int, Fraction) or type(value) is float and math.isfinite(value):
+        return _bounded(to_sympy(value), name)
+    if isinstance(value, Rational):
+        return _bounded(value, name)
     if getattr(value, "shape", None) == () and hasattr(value, "item") and not getattr(value, "mask", False):
         value = value.item()
     value = text_of(value)
@@ -126,7 +133,7 @@ def exact_number(value: Any, name: str = "value") -> Expr:
 def _text(text: str, name: str) -> Expr:
     """Return the number that a text stands for."""
     value, _ = in_si(text, name)
-    if not value.free_symbols:
+    if isinstance(value, Rational) or not value.free_symbols:
         return value
     names = sorted(s.name for s in value.free_symbols)
     if any(n.lower() in _NO_NUMBERS for n in names):

@@ -6,15 +6,17 @@ unit     := name ['**' integer]
 A unit stands after a number; in the grammar of expressions no name does.
 """
 from collections.abc import Iterable
+from functools import lru_cache
 from types import MappingProxyType
 from typing import Any, NamedTuple
 
 from sympy import Expr, Integer, Mul, Pow, Rational, S, pi
 
-from ...errors import ValuesError, brief
+from ...errors import ExpressionError, ValuesError, brief
 from ...notation import NOTATION, Use
 from ...registry import free_letters, use_of
 from .grammar import Parser
+from .scanner import numeral
 
 POWER, FACTORS = 9, 8                                  # of a unit, and of units, at most
 
@@ -66,6 +68,7 @@ _WORDS = {"gram": "g", "kilogram": "kg", "meter": "m", "metre": "m", "second": "
 _PREFIXES = {"n": -9, "u": -6, "m": -3, "c": -2, "k": 3, "M": 6, "G": 9}
 
 
+@lru_cache(maxsize=512)
 def dimension_of(name: str) -> Dimension | None:
     """Return the dimension of a name; None for a parameter of the user, which may be anything."""
     entry = NOTATION.get(name)
@@ -144,6 +147,17 @@ class _Quantity(Parser):
         return sign * int(token)
 
 
+@lru_cache(maxsize=256)
+def _units_in(text: str) -> tuple[Expr, Dimension | None] | None:
+    """Return the product of units that a text is, and its dimension; None if it is none."""
+    try:
+        return _Quantity(f"1 {text}").quantity()
+    except ExpressionError:
+        return None
+
+
+# whoever checks that units are not mixed reads all texts, which are read once more as numbers
+@lru_cache(maxsize=256)
 def quantity(text: str) -> tuple[Expr, Dimension | None]:
     """Return the expression that a text stands for, in SI if it has a unit, and its dimension.
 
@@ -169,6 +183,13 @@ def quantity(text: str) -> tuple[Expr, Dimension | None]:
     >>> print(*quantity("120 kg m^2/s"))
     120 kg m^2 s^-1
     """
+    if (plain := numeral(text)) is not None:
+        number, after = plain
+        if not after:
+            return number, None
+        if (units := _units_in(after)) is not None:
+            factor, dimension = units
+            return number * factor, dimension
     return _Quantity(text).quantity()
 
 
@@ -187,15 +208,16 @@ def in_si(value: Any, name: str) -> tuple[Expr, bool]:
         the unit is one of something else
     """
     number, dimension = quantity(value)
-    wanted = dimension_of(name)
-    if dimension is not None and wanted is not None and dimension != wanted:
+    if dimension is None:
+        return number, False
+    if (wanted := dimension_of(name)) not in (None, dimension):
         what = f"{name} ({NOTATION[name].meaning})" if name in NOTATION else name
         free = free_letters([name], {name})[name]
         own = (f", or write another letter for a number of your own, such as {free}"
                if use_of(name) in (Use.FIELD, Use.LEVEL) else "")
         raise ValuesError(f"{name} = {brief(value)[1:-1]} is a number of {dimension}, but {what} is one of "
                           f"{wanted}: give it in a unit of that kind{own}")
-    return number, dimension is not None
+    return number, True
 
 
 def text_of(value: Any) -> Any:
@@ -218,14 +240,16 @@ def not_mixed(entries: Iterable[tuple[str, Any]]) -> None:
     ValuesError
         some have a unit, and some that should have one have none
     """
-    given = [(name, text_of(value)) for name, value in entries if dimension_of(name) not in (None, NONE)]
+    given = [(name, text_of(value)) for name, value in entries]
     if not any(isinstance(value, str) for _, value in given):
         return
     known = [(name, value, *(quantity(value) if isinstance(value, str) else (value, None)))
-             for name, value in given]
+             for name, value in given if dimension_of(name) not in (None, NONE)]
     named = next((f"{name} = {brief(value)}" for name, value, _, unit in known if unit), None)
+    if named is None:
+        return
     bare = next((f"{name} = {brief(value)}" for name, value, number, unit in known
                  if not unit and not getattr(number, "shape", ()) and number != 0
                  and not getattr(number, "free_symbols", None)), None)
-    if named and bare:
+    if bare:
         raise ValuesError(f"{named} has a unit and {bare} has none: give every number its unit, or none")

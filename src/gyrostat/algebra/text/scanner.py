@@ -1,6 +1,9 @@
-"""Cuts a text into tokens: numbers, names, operators and parentheses."""
+"""Cuts a text into tokens: numbers, names, operators and parentheses; reads a plain numeral at once."""
 import re
+from math import gcd
 from typing import NoReturn
+
+from sympy import Rational
 
 from ...errors import ExpressionError, brief
 from .spelling import NAME, RAISED, SIGNS, character, lowered, spelled
@@ -8,6 +11,12 @@ from .spelling import NAME, RAISED, SIGNS, character, lowered, spelled
 ROOT, PRIMES = "√", "'′″‴’"
 _TOKEN = re.compile(rf"\s*(?:(?P<number>(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)|(?P<name>{NAME})"
                     rf"|(?P<raised>{RAISED})|(?P<sign>\*\*|[-+*/(){''.join(SIGNS)}{ROOT}]))", re.ASCII)
+# characters of a text: with exponents below 100 numerator and denominator have less than 600 bits, and the
+# grammar allows 4000
+SHORT = 60
+# possessive, so that 5e123 is not read as 5 and a unit e123
+_NUMERAL = re.compile(r"\s*+([-+]?)\s*+(?:(\d++)\.?+(\d*+)|\.(\d++))(?:[eE]([-+]?\d{1,2}+))?+"
+                      r"(?:\s*+/\s*+(\d++))?+\s*+([A-Za-z].*+)?", re.ASCII)
 Token = tuple[str, str]                                # kind and text
 END: Token = ("end", "")
 
@@ -86,3 +95,30 @@ class Scanner:
 
 def _ascii(kind: str, text: str) -> Token:
     return kind, spelled(text) if kind == "name" else SIGNS.get(text, text)
+
+
+def numeral(text: str) -> tuple[Rational, str] | None:
+    """Return the number of a numeral, or of a quotient with a whole number, and the letters that follow.
+
+    What follows has not been read. None if the text is longer, is not of this form, or divides by zero.
+
+    Examples
+    --------
+    >>> numeral("-5/100"), numeral("1.25e-1 kg m^2"), numeral("2*3")
+    ((-1/20, ''), (1/8, 'kg m^2'), None)
+    """
+    if len(text) > SHORT or (found := _NUMERAL.fullmatch(text)) is None:
+        return None
+    sign, whole, decimals, below_one, exponent, divisor, after = found.groups()
+    decimals = below_one or decimals
+    top, bottom = int((whole or "") + decimals), int(divisor or 1)
+    if bottom == 0:
+        return None
+    power = int(exponent or 0) - len(decimals)
+    if power < 0:
+        bottom *= 10**-power
+    else:
+        top *= 10**power
+    common = gcd(top, bottom)
+    number = Rational.from_coprime_ints((-top if sign == "-" else top) // common, bottom // common)
+    return number, after or ""

@@ -8,7 +8,7 @@ from flint import arb
 from sympy import Expr, Pow, Rational, Symbol, diff
 
 from ...algebra.enclosures.precision import own_precision
-from ..signs.straightline import program_of
+from ..programs.straightline import program_of
 from .intervals import PRECISION, Enclosure, bounds_of, enclosed, outward
 
 Box = Mapping[Symbol, Enclosure]

@@ -49,6 +49,7 @@ class Proof:
     """
 
     def __init__(self, report: Report, region: Region, separate: bool = False):
+        report = report.written_out
         self.names = [symbol(name) for name in region.axes]
         self.positive = [place for place, name in enumerate(self.names) if name.is_positive]
         self.separate = separate

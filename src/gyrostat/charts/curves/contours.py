@@ -3,17 +3,17 @@
 They are zeros of margins, each vertex on a line of the grid, moved along it to the last bits.
 """
 from collections.abc import Callable, Mapping, Sequence
-from typing import Any
 
 import numpy as np
 from sympy import Expr, Rational, Symbol
 
 from ...algebra.enclosures.double_double import Twofold
 from ...algebra.enclosures.floats import Array, in_floats
-from ..signs.compiled_margins import compile_margin
-from ..signs.rounding import error_bound
-from ..signs.straightline import program_of
-from .crossings import Sign, edges, joined, pieces, zeros
+from ..grids import places
+from ..programs.rounding import error_bound, rounded
+from ..programs.straightline import program_of
+from ..signs.grid_signs import TOGETHER, UNKNOWN
+from .crossings import Places, Sign, edges, joined, pieces, zeros
 
 Verdicts = Callable[[Array, Array], Array]
 # values of an axis between which curves are followed: more would make no vertex more exact
@@ -62,12 +62,12 @@ def boundary(margins: Sequence[Expr], numbers: Mapping[Symbol, Expr], x: tuple[S
     >>> boundary([a**2 - 2], {}, (a, across), (b, up), stable)
     (array([1.41421356, 1.41421356]), array([1., 0.]))
     """
-    known = [(sign_of(margin, x[0], y[0]), signs_of(margin, x, y))
-             for margin in dict.fromkeys(margin.xreplace(dict(numbers)) for margin in margins)
+    asked = [margin for margin in dict.fromkeys(margin.xreplace(dict(numbers)) for margin in margins)
              if {x[0], y[0]} & margin.free_symbols]
-    crowded = _crowded([signs for _, signs in known])
-    x_found, y_found = joined([_curves(sign, signs, (x[1], y[1]), verdict, crowded, ask)
-                               for sign, signs in known])
+    signs = [signs_of(margin, x, y) for margin in asked]
+    x_found, y_found = joined([
+        _curves(sign_of(margin, x[0], y[0]), here, (x[1], y[1]), verdict,
+                [other for other in signs if other is not here], ask) for margin, here in zip(asked, signs)])
     return x_found, y_found
 
 
@@ -79,27 +79,18 @@ def thinned(n: int) -> Array:
     return np.unique(np.linspace(0, n - 1, min(n, FINEST)).round().astype(np.int64))
 
 
-def _crowded(signs: Sequence[Array]) -> tuple[Array, Array]:
-    """Return the edges along x, and along y, on which more than one margin may change its sign."""
-    sides = [np.where(np.isnan(s), np.nan, s > 0) for s in signs]
-    return tuple(np.sum([s != t for s, t in pairs], axis=0) > 1 for pairs in (
-        [(s[:, 1:], s[:, :-1]) for s in sides], [(s[1:], s[:-1]) for s in sides]))
-
-
-def _curves(sign: Sign, signs: Array, axes: tuple[Array, Array], verdict: Array, crowded: tuple[Array, Array],
+def _curves(sign: Sign, signs: Array, axes: tuple[Array, Array], verdict: Array, others: Sequence[Array],
             ask: Verdicts | None) -> Array:
     """Return the points of one margin, shape (2, points)."""
     columns, rows = axes
     gaps, good, bad = edges(signs)
     kept = ~gaps & _between_verdicts(verdict, signs, good, bad)
     points = np.full((2, len(gaps)), np.nan)
-    places = [tuple(part[kept] for part in end) for end in (good, bad)]
     if kept.any():
-        sides = [np.array([columns[c], rows[r]]) for r, c in places]
+        good, bad = ((row[kept], column[kept]) for row, column in (good, bad))
+        sides = [np.array([columns[column], rows[row]]) for row, column in (good, bad)]
         points[:, kept] = found = zeros(sign, *sides)
-        (row, column), along = map(np.minimum, *places), places[0][0] == places[1][0]
-        several = np.array([crowded[0][r, c] if flat else crowded[1][r, c]
-                            for r, c, flat in zip(row, column, along)])
+        several = sum((_changes(other, good, bad) for other in others), start=np.zeros(kept.sum(), bool))
         if ask is not None and several.any():
             inside = found[:, several]
             points[:, np.flatnonzero(kept)[several]] = np.where(
@@ -107,26 +98,40 @@ def _curves(sign: Sign, signs: Array, axes: tuple[Array, Array], verdict: Array,
     return pieces(points)
 
 
+def _changes(signs: Array, good: Places, bad: Places) -> Array:
+    """Tell for each edge whether another margin may change its sign there."""
+    one, other = signs[good], signs[bad]
+    return ((one == 1) != (other == 1)) | (one == UNKNOWN) | (other == UNKNOWN)
+
+
 def signs_of(margin: Expr, x: tuple[Symbol, Array], y: tuple[Symbol, Array]) -> Array:
-    """Return the sign at every point of the grid, NaN where the margin has none.
+    """Return the sign at every point of the grid, UNKNOWN where the margin has none.
 
     If doubles with their bound cannot tell, it is taken in twofold arithmetic.
     """
-    (across, columns), (up, rows), program = x, y, program_of(margin, {})
-    given = {across: columns[None, :], up: rows[:, None]}
-    used: dict[Symbol, Any] = {s: given[s] for s in (across, up) if s in margin.free_symbols}
-    named: dict[str, Any] = {s.name: array for s, array in used.items()}
+    (across, columns), (up, rows) = x, y
+    program = program_of(margin, {up: frozenset([0]), across: frozenset([1])})
+    signs = np.empty((len(rows), len(columns)), np.int8)
+
+    def values(x: Array, y: Array) -> Array:
+        found: Array = program.run(lambda leaf: in_floats(leaf, np, {across: x, up: y}),
+                                   lambda value: np.float64(rounded(value)[0]))[-1]
+        return np.broadcast_to(found, np.broadcast_shapes(x.shape, y.shape))
+
     with np.errstate(all="ignore"):
-        values = np.broadcast_to(compile_margin(margin)(**named), (len(rows), len(columns)))
         sizes, roundings = {}, {}
         for leaf in program.leaves:
-            sizes[leaf] = np.max(np.abs(in_floats(leaf, np, used)), initial=0)
+            sizes[leaf] = np.max(np.abs(in_floats(leaf, np, {across: columns, up: rows[:, None]})), initial=0)
             roundings[leaf] = 0 if isinstance(leaf, Symbol) else 4
         bound = error_bound(program, sizes, roundings)
-    signs = np.sign(values)
-    near = np.nonzero(~(np.abs(values) > bound) & np.isfinite(values))
-    if near[0].size:
-        signs[near] = sign_of(margin, across, up)(columns[near[1]], rows[near[0]])
+        height = max(1, TOGETHER // len(columns))
+        for start in range(0, len(rows), height):
+            here = values(columns, rows[start:start + height, None])
+            signs[start:start + height] = (here > bound).astype(np.int8) - (here < -bound)
+        row, column = places(signs == 0)
+        near, found = (value(columns[column], rows[row]) for value in (values, sign_of(margin, across, up)))
+        found = np.where(np.isfinite(near), found, np.sign(near))
+        signs[row, column] = np.where(np.isnan(found), UNKNOWN, found)
     return signs
 
 

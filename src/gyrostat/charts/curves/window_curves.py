@@ -19,6 +19,7 @@ from ...stability.report.report import Report
 from ..codes import CURVES, RUNGS
 from ..grids import Grid
 from ..signs.ball_arrays import SUM, BallArray
+from ..signs.grid_signs import UNKNOWN
 from ..signs.stabilized_points import leaf, twists
 from ..signs.verdict_arrays import grid_for
 from ..signs.verdicts_in_blocks import Decided, signs_in_row
@@ -27,8 +28,8 @@ from .crossings import edges, joined, pieces, zeros
 
 WITHIN = 2.0**-12                                      # the share of an edge in which D4 = 0 is enclosed
 STEPS = 30                                             # the most steps of the search on an edge
-HELD = [RUNGS[rung] for rung in (Rung.TWIST_POSITIVE, Rung.TWIST_NEGATIVE, Rung.SIXTH_ORDER, Rung.RESONANCE,
-                                Rung.INTEGRAL, Rung.NOTHING)]
+TWISTS = Rung.TWIST_POSITIVE, Rung.TWIST_NEGATIVE
+HELD = [RUNGS[rung] for rung in (*TWISTS, Rung.SIXTH_ORDER, Rung.RESONANCE, Rung.INTEGRAL, Rung.NOTHING)]
 Axis = tuple[Symbol, Array]
 
 
@@ -75,11 +76,10 @@ def window_curves(plane: Plane, rungs: Array) -> Array:
     oscillates = Condition(positive, True, "p", nonzero, eq.at)
     found = [_coded(_resonance(plane, oscillates, factor, held), CURVES[name])
              for name, (odd, even) in factors.items() for factor in (odd, *even)]
-    negative = np.where(rungs == RUNGS[Rung.TWIST_NEGATIVE], -1.0, np.nan)
-    twist = np.where(rungs == RUNGS[Rung.TWIST_POSITIVE], 1.0, negative)
     double = signs_of(factors["resonance_1_2"][0], plane.x, plane.y)
-    return joined([*found, _coded(_untwisted(plane, np.where(double == 0, np.nan, twist * double)),
-                                  CURVES["D4_zero"])])
+    twist = np.select([abs(double) != 1, *(rungs == RUNGS[rung] for rung in TWISTS)],
+                      [UNKNOWN, double, -double], UNKNOWN).astype(np.int8)
+    return joined([*found, _coded(_untwisted(plane, twist), CURVES["D4_zero"])])
 
 
 def _beside(where: Array) -> Array:

@@ -12,10 +12,10 @@ from ...algebra.enclosures.floats import Array, in_floats
 from ...errors import ValuesError, require
 from ...stability.criteria.truth import Relation
 from ..grids import Grid, Slices, cut
+from ..programs.kernels import Kernel
+from ..programs.straightline import program_of
+from ..programs.tiles import Tiles
 from ..progress import Told
-from .kernels import Kernel
-from .straightline import program_of
-from .tiles import Tiles
 
 # points of a block: for NumPy a few buffers fit a core's cache; for Numba a call is short beside the loop
 NUMPY_BLOCK, NUMBA_BLOCK = 2**17, 2**20
@@ -35,7 +35,7 @@ def writer(expression: Expr, relation: Relation | None, grid: Grid, backend: str
 
     tiles = Tiles(program_of(expression, grid.axes), grid.full, read, kind)
     if backend == "numba" and tiles.inner and relation in _COMPILED:
-        return Kernel(tiles, _COMPILED[relation], spent)
+        return Kernel(tiles, [_COMPILED[relation]], spent)
 
     def write(block: Slices, out: Array) -> None:
         if relation is not None:

@@ -18,9 +18,9 @@ from ...stability.criteria.numbers_asked import check_names, names_in
 from ...stability.criteria.truth import Relation, truth
 from ..grids import Grid, Slices, grid_of
 from ..labels import check_plain
+from ..programs.rounding import rounded
+from ..programs.straightline import program_of
 from .block_writing import NUMBA_BLOCK, NUMPY_BLOCK, Writer, in_threads, joined, prepared, writer
-from .rounding import rounded
-from .straightline import program_of
 
 
 class CompiledMargin:

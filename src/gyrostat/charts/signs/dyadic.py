@@ -10,7 +10,7 @@ import numpy as np
 from sympy import Expr, Rational
 
 from ...algebra.enclosures.floats import Array
-from .straightline import Program
+from ..programs.straightline import Program
 
 WORD = 64                                              # bits of a machine number
 NOTHING = 2**20                                        # the power of 0, beyond all others
@@ -70,7 +70,7 @@ def dyadic_signs(program: Program, leaves: Mapping[Expr, Array], most: Array) ->
     Examples
     --------
     >>> import gyrostat as gs
-    >>> from gyrostat.charts.signs.straightline import program_of
+    >>> from gyrostat.charts.programs.straightline import program_of
     >>> x, y = gs.symbol("x"), gs.symbol("y")
     >>> x_of, most = np.array([3.0, 2.0**-40 + 1]), np.array([1e-15, 1e-15])
     >>> dyadic_signs(program_of(x**2 - y, {}), {x: x_of, y: x_of**2}, most)[0]

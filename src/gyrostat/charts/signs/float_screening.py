@@ -9,11 +9,11 @@ from ...algebra.enclosures.floats import Array
 from ...algebra.rings.polynomials import Ring
 from ...stability.report.report import Report
 from ..grids import Grid, Slices, cut
+from ..programs.kernels import assignments, function_of
+from ..programs.rounding import LARGEST, error_bound, rounded
+from ..programs.straightline import Program, program_of
 from .block_writing import NUMBA_BLOCK, NUMPY_BLOCK
 from .given_columns import largest_size
-from .kernels import assignments, function_of
-from .rounding import LARGEST, error_bound, rounded
-from .straightline import Program, program_of
 from .verdicts_in_blocks import Decided, Demands
 
 SAMPLE, ROOM = 64, 1.5                                 # so many numbers tell the size of most, with a factor

@@ -1,6 +1,6 @@
 """Makes verdicts in the blocks of a grid: proved signs of margins, and the ladder between criteria."""
 from collections.abc import Iterable, Sequence
-from functools import reduce
+from functools import lru_cache, reduce
 from itertools import chain, repeat
 from typing import NamedTuple
 
@@ -10,19 +10,18 @@ from sympy import Expr
 from ...algebra.enclosures.floats import Array
 from ...algebra.enclosures.precision import ONE_AT_A_TIME
 from ...algebra.rings.polynomials import Ring
-from ...stability.criteria.conditions import Condition, Criterion
+from ...stability.criteria.conditions import Condition
 from ...stability.criteria.orientation_form import orientation_form
-from ...stability.criteria.truth import Relation, truth
 from ...stability.decision import Rung
 from ...stability.report.report import Report
 from ...stability.theorems.boundary import Boundary
 from ...stability.theorems.two_directions import may_lie_on_curve, open_between
 from ..codes import CODE_OF, INVALID, RUNGS, STABLE, UNDECIDED, UNSTABLE
 from ..grids import Grid, Slices, cut, last, places
-from .grid_constants import with_constants
+from ..programs.quotients import plainly_positive
+from .criteria_codes import OPEN, CriteriaCodes, single_margin
 from .grid_signs import TOGETHER, UNKNOWN, ArraySigns, dyadic_rational, may_vanish
 from .stabilized_points import held
-from .three_valued import answered, every, some
 
 
 class Demands(NamedTuple):
@@ -36,11 +35,12 @@ class Demands(NamedTuple):
 
 def demands_of(report: Report, grid: Grid, damped: bool) -> Demands:
     """Return the demands of a report on the numbers of a grid."""
-    eq, alone = report.equilibrium, None if damped else _single(report.sufficient)
+    eq, alone = report.equilibrium, None if damped else single_margin(report.sufficient)
+    denominators = _denominators(tuple(eq.field_values))
     return Demands((*eq.existence(), *(s for s in grid.values if s.is_positive)),
-                   tuple(e for e in _denominators(eq.field_values) if e.free_symbols <= grid.values.keys()),
+                   tuple(e for e in denominators if e.free_symbols <= grid.values.keys()),
                    tuple(eq.constraints),
-                   alone if alone is not None and alone == _single(report.necessary) else None)
+                   alone if alone is not None and alone == single_margin(report.necessary) else None)
 
 
 class Decided:
@@ -51,19 +51,16 @@ class Decided:
 
     def __init__(self, report: Report, grid: Grid, backend: str, damped: bool = False,
                  rungs: Array | None = None):
-        self.report, self.grid, self.backend, self.damped = report, grid, backend, damped
-        self.rungs, self.stays_open = rungs, not damped and open_between(report.equilibrium)
-        self.known: dict[Expr, ArraySigns] = {}
-        demands = demands_of(report, grid, damped)
-        self.positive, self.nonzero, self.zero = ([*map(self._signs, group)] for group in demands[:3])
-        self.alone = demands.alone
+        self.report, self.grid, self.damped, self.rungs = report, grid, damped, rungs
+        self.stays_open = not damped and open_between(report.equilibrium)
+        sufficient, necessary = ((report.damped,) * 2 if damped else (report.sufficient, report.necessary))
+        self.codes = CriteriaCodes(sufficient, necessary, grid, backend, report.closed)
+        positive, nonzero, zero = ([*map(self.codes.signs, group)]
+                                   for group in demands_of(report, grid, damped)[:3])
+        self.positive = [a for a in positive if a.everywhere() != 1]
+        self.nonzero = [a for a in nonzero if a.everywhere() not in (1, -1)]
+        self.zero = [a for a in zero if a.everywhere() != 0]
         self.unsafe = [a for a in map(grid.strange, grid.values) if a is not None]
-
-    def _signs(self, expression: Expr) -> ArraySigns:
-        if expression not in self.known:
-            margin = with_constants(expression, self.grid)
-            self.known[expression] = ArraySigns(margin, self.grid, self.backend)
-        return self.known[expression]
 
     def fill(self, tiles: Iterable[Sequence[Slices]], result: Array) -> tuple[int, ...] | None:
         """Write the verdicts, and return the first place where the equilibrium does not exist."""
@@ -73,7 +70,8 @@ class Decided:
             with np.errstate(all="ignore"):            # overflow is a value here
                 nowhere = self._nowhere(block)
                 self._decide(block, out, nowhere)
-                out[np.broadcast_to(self._doubtful(block), out.shape)] = UNDECIDED
+                if (doubtful := self._doubtful(block)) is not None:
+                    out[np.broadcast_to(doubtful, out.shape)] = UNDECIDED
             if nowhere is not None:
                 out[np.broadcast_to(nowhere, out.shape)] = INVALID
                 here = _place(block, *np.argwhere(out == INVALID)[0])
@@ -85,32 +83,25 @@ class Decided:
         wrong = [last(cut(a, block)) for a in self.unsafe]
         wrong += [signs(block) < 1 for signs in self.positive] + [signs(block) == 0 for signs in self.nonzero]
         wrong += [abs(signs(block)) == 1 for signs in self.zero]
-        found = [w for w in wrong if w.any()]
-        return reduce(np.logical_or, found) if found else None
+        return _where_one(wrong)
 
-    def _doubtful(self, block: Slices) -> Array:
-        """Return where it is not proved that the equilibrium exists."""
-        return _some_of(signs(block) == UNKNOWN for signs in (*self.positive, *self.zero))
+    def _doubtful(self, block: Slices) -> Array | None:
+        """Return where it is not proved that the equilibrium exists; None if nowhere."""
+        return _where_one([signs(block) == UNKNOWN for signs in (*self.positive, *self.zero)])
 
     def _decide(self, block: Slices, out: Array, nowhere: Array | None) -> None:
         """Write the verdicts in a block."""
-        if self.alone is not None:
-            signs = self._signs(self.alone)
-            if (found := signs(block, out)) is not out:
-                out[...] = found
-            if signs.sufficed:
-                return
-            between = out == 0
-            out[out == UNKNOWN] = UNDECIDED
-        elif self.damped:
-            positive = self._holds(self.report.damped, block)
-            out[...] = positive                        # not positive, and no exception: unstable
-            between = np.broadcast_to(positive < 0, out.shape) & self._exceptional(block)
+        decided = self.codes(block, out)
+        if decided and not self.damped:
+            return
+        if self.damped:                                # an exception, or no exception: unstable
+            between = (out == UNSTABLE) & self._exceptional(block)
         else:
-            sufficient, necessary = (self._holds(c, block)
-                                     for c in (self.report.sufficient, self.report.necessary))
-            out[...] = np.where(sufficient > 0, STABLE, np.where(necessary < 0, UNSTABLE, UNDECIDED))
-            between = np.broadcast_to((sufficient < 0) & (necessary > 0), out.shape)
+            between = out == OPEN
+        if (unknown := out == UNKNOWN).any():
+            out[unknown] = UNDECIDED
+            if self.report.closed is not None:         # only the margins as they are written prove no sign
+                between = between | unknown
         if nowhere is not None:
             between = between & ~nowhere
         if self.stays_open and between.any():              # but on a closed curve, where K is degenerate
@@ -129,15 +120,16 @@ class Decided:
         if not may_lie_on_curve(eq := self.report.equilibrium):
             return np.zeros((1, 1), bool)
         determinant = orientation_form(eq).stiffness.det(method="berkowitz")
-        return may_vanish(self._signs(eq.insert(determinant))(block))
+        return may_vanish(self.codes.signs(eq.insert(determinant))(block))
 
     def open(self, block: Slices) -> Array:
         """Return where it is proved that the equilibrium exists and lies between the two criteria."""
-        sufficient, necessary = (self._holds(c, block)
-                                 for c in (self.report.sufficient, self.report.necessary))
-        nowhere = self._nowhere(block)
-        found = (sufficient < 0) & (necessary > 0) & ~self._doubtful(block)
-        return found if nowhere is None else found & ~nowhere
+        codes = np.empty([s.stop - s.start for s in block[-2:]], np.int8)
+        self.codes(block, codes)
+        found = codes == OPEN
+        for excluded in (self._nowhere(block), self._doubtful(block)):
+            found = found if excluded is None else found & ~excluded
+        return found
 
     def _between(self, grid: Grid) -> tuple[Array | list[int], Array | list[int]]:
         """Return verdicts at points that the criteria leave open, and what decided each.
@@ -147,7 +139,7 @@ class Decided:
         """
         boundary = self.report.boundary
         if boundary is not None and not self.damped:
-            found = _climbed(boundary, grid, self.alone)
+            found = _climbed(boundary, grid, self.codes.alone)
             return found, np.full(len(found), RUNGS[Rung.REDUCED_MOTION])
         names = [s.name for s in grid.values]
         twists = repeat(0) if self.damped else held(self.report, grid)
@@ -171,7 +163,7 @@ class Decided:
         degenerate, *torques = standard.exceptions
 
         def one_may_vanish(factors: Sequence[Expr]) -> Array:
-            return _some_of(may_vanish(self._signs(e)(block)) for e in factors)
+            return _some_of(may_vanish(self.codes.signs(e)(block)) for e in factors)
 
         unreached = np.ones((1, 1), bool)
         for torque in torques:
@@ -179,14 +171,11 @@ class Decided:
                 unreached = unreached & one_may_vanish(torque)
         return np.asarray(one_may_vanish(degenerate) | unreached)
 
-    def _holds(self, criterion: Criterion, block: Slices) -> Array:
-        """Return 1 where the criterion holds, −1 where it does not, 0 where that is not proved."""
-        def compare(expression: Expr, relation: Relation) -> Array:
-            signs = self._signs(expression)(block)
-            known, holds = signs != UNKNOWN, relation(signs, 0)
-            return answered(known & holds, known & ~holds)
 
-        return truth(criterion, compare, every, some)
+def _where_one(answers: Iterable[Array]) -> Array | None:
+    """Return where one of them is true; None if nowhere."""
+    found = [answer for answer in answers if answer.any()]
+    return reduce(np.logical_or, found) if found else None
 
 
 def _some_of(answers: Iterable[Array]) -> Array:
@@ -231,20 +220,12 @@ def _place(block: Slices, row: int, column: int) -> tuple[int, ...]:
     return (*(s.start for s in block[:-2]), block[-2].start + int(row), block[-1].start + int(column))
 
 
-def _single(criterion: Criterion) -> Expr | None:
-    """Return the margin that decides alone, None if there is no such margin."""
-    conditions = list(chain.from_iterable(criterion.alternatives))
-    if len(criterion.alternatives) != 1 or len(conditions) != 1 or conditions[0].degenerate:
-        return None
-    return conditions[0].margin
-
-
-def _denominators(values: Sequence[Expr]) -> list[Expr]:
+@lru_cache(maxsize=256)
+def _denominators(values: tuple[Expr, ...]) -> list[Expr]:
     """Return what must not vanish for U and its derivatives to be finite."""
-    found = []
+    found: dict[Expr, None] = {}
     for value in values:
         ring = Ring([value])
-        bottom = ring.fraction(value)[1]
-        if not bottom.is_constant():
-            found.append(ring.expression(bottom))
-    return list(dict.fromkeys(found))
+        _, factors = ring.fraction(value)[1].factor()
+        found |= dict.fromkeys(ring.expression(f) for f, _ in factors if not plainly_positive(ring, f))
+    return [*found]

@@ -8,25 +8,31 @@ from ...errors import ValuesError
 from ..output import Output, on_terminal, told
 from ..time_limit import interrupted
 from .batch_lines import Kept, Numbered, numbered, opened, size_of
-from .batch_worker import Answer, Worker
+from .batch_team import Team
+from .batch_worker import Answer
+
+PROCESSES = 256
 
 
 def run(given: argparse.Namespace, out: Output) -> int:
     """Write an object for each line, in order; 0, or 2 if a line was bad."""
     if given.format != "json" and given.format is not None:
         raise ValuesError(f"--batch writes JSON, and --format is {given.format}: leave out one of the two")
-    with opened(given.batch, given.output) as file, Worker(given) as worker:
-        worker.start()                                 # wrong options are said before anything is written
+    if not 1 <= given.processes <= PROCESSES:
+        raise ValuesError(f"--processes is {given.processes}, and 1 to {PROCESSES} processes answer a batch: "
+                          "give as many as the machine has cores")
+    with opened(given.batch, given.output) as file, Team(given) as team:
+        team.start()                                   # wrong options are said before anything is written
         with Kept(given.output, given.start) as kept:
-            return _each(given, file, worker, kept)
+            return _each(given, file, team, kept)
 
 
-def _each(given: argparse.Namespace, file: BinaryIO, worker: Worker, kept: Kept) -> int:
+def _each(given: argparse.Namespace, file: BinaryIO, team: Team, kept: Kept) -> int:
     status, total, read = 0, size_of(file), 0
     progress = Progress(given.output is not None or not on_terminal())
     try:
         for lines in numbered(file):
-            for n, (text, error) in zip(*_answered(worker, lines, given.start)):
+            for n, (text, error) in zip(*_answered(team, lines, given.start)):
                 if error is not None:
                     status = 2
                     progress.wipe()
@@ -47,7 +53,7 @@ def _each(given: argparse.Namespace, file: BinaryIO, worker: Worker, kept: Kept)
     return status
 
 
-def _answered(worker: Worker, lines: list[Numbered], start: int) -> tuple[list[int], Iterable[Answer]]:
+def _answered(team: Team, lines: list[Numbered], start: int) -> tuple[list[int], Iterable[Answer]]:
     """The numbers of the lines that are asked for and are not blank, and their answers."""
     asked = [(n, line) for n, line in lines if n >= start and line.strip()]
-    return [n for n, _ in asked], worker.answers(asked)
+    return [n for n, _ in asked], team.answers(asked)

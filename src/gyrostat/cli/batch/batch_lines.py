@@ -4,7 +4,8 @@ import contextlib
 import os
 import stat
 import sys
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
+from functools import lru_cache, partial
 from pathlib import Path
 from typing import Any, BinaryIO
 
@@ -15,12 +16,13 @@ from ...algebra.text.numbers import exact_number
 from ...errors import ValuesError, brief
 from ...mechanics.families.named_families import called, in_words, known_families
 from ...printing.files import moved, replaceable
-from ...questions.given_numbers import one_spin, unless_given
-from ...questions.scene_texts import Asked
+from ...questions.given_numbers import numbers_of, one_spin, unless_given
+from ...questions.scene_texts import Asked, scene_of
 from ..options.scene_files import asked_of
 from ..output import printed
 
-READ = 2**16                                           # bytes that are read at a time
+READ = 2**18                                           # bytes that are read at a time
+SCENES = 256                                           # that are kept, of lines that ask the same of them
 Numbered = tuple[int, bytes]
 
 
@@ -83,28 +85,48 @@ def _read(file: Any) -> bytes:
         raise ValuesError(f"cannot read --batch: {error.strerror}") from None
 
 
-def question(line: bytes, given: argparse.Namespace,
-             defaults: Mapping[str, Expr]) -> tuple[Asked, str | None, dict[str, Expr]]:
-    """Scene, equilibrium and numbers of a line."""
-    own = json_object(line)
-    point = None if "equilibrium" in own else given.point
-    potential, label = own.pop("potential", given.potential), own.pop("equilibrium", given.equilibrium)
-    families = known_families()
-    family = called(label, families) if isinstance(label, str) else None
-    if not isinstance(potential, str | None) or label is not None and family is None:
-        raise ValuesError(f"the line has potential = {brief(potential)} and equilibrium = {brief(label)}, of "
-                          "which one is not understood: give a potential as a text, as of --potential, and "
-                          f"the equilibrium as {in_words(families)}")
-    if wrong := [name for name in own if not name_of(name)]:
-        raise ValuesError(f"{brief(wrong[0])} is not a name, and a line gives numbers to names: write "
-                          "{\"I1\": 1.6}")
-    numbers = {name_of(name): exact_number(value, name) for name, value in own.items()}
-    if len(numbers) < len(own):
-        raise ValuesError(f"{brief(', '.join(own))[1:-1]} gives a name twice: give it once")
-    one_spin(numbers)
-    numbers = unless_given(defaults, numbers) | numbers
-    own_scene = argparse.Namespace(**{**vars(given), "potential": potential, "point": point})
-    return asked_of(own_scene, numbers), None if family is None else family.asked_for, numbers
+class Questions:
+    """What lines ask: scene, equilibrium and numbers of each, on top of what the options give.
+
+    Parameters
+    ----------
+    given : argparse.Namespace
+        of gyrostat decide
+    """
+
+    def __init__(self, given: argparse.Namespace):
+        self.given, self.defaults = given, numbers_of(given.values)
+        # the rule are lines that name the same equilibrium and give numbers to the same names
+        self._family = lru_cache(maxsize=SCENES)(partial(called, families=known_families()))
+        self._asked = lru_cache(maxsize=SCENES)(self._asked_by)
+        scene_of(asked_of(given, self.defaults))       # a wrong one would be wrong in every line
+
+    def of(self, line: bytes) -> tuple[Asked, str | None, dict[str, Expr]]:
+        """Scene, equilibrium and numbers of a line."""
+        own = json_object(line)
+        named = "equilibrium" in own
+        potential = own.pop("potential", self.given.potential)
+        label = own.pop("equilibrium", self.given.equilibrium)
+        family = self._family(label) if isinstance(label, str) else None
+        if not isinstance(potential, str | None) or label is not None and family is None:
+            raise ValuesError(f"the line has potential = {brief(potential)} and equilibrium = "
+                              f"{brief(label)}, of which one is not understood: give a potential as a text, "
+                              f"as of --potential, and the equilibrium as {in_words(known_families())}")
+        if wrong := [name for name in own if not name_of(name)]:
+            raise ValuesError(f"{brief(wrong[0])} is not a name, and a line gives numbers to names: write "
+                              "{\"I1\": 1.6}")
+        numbers = {name_of(name): exact_number(value, name) for name, value in own.items()}
+        if len(numbers) < len(own):
+            raise ValuesError(f"{brief(', '.join(own))[1:-1]} gives a name twice: give it once")
+        one_spin(numbers)
+        numbers = unless_given(self.defaults, numbers) | numbers
+        asked = self._asked(potential, None if named else self.given.point, tuple(numbers))
+        return asked, None if family is None else family.asked_for, numbers
+
+    def _asked_by(self, potential: str | None, point: str | None, names: tuple[str, ...]) -> Asked:
+        """What is asked if numbers are given for these names."""
+        own_scene = argparse.Namespace(**{**vars(self.given), "potential": potential, "point": point})
+        return asked_of(own_scene, names)
 
 
 class Kept:

@@ -4,27 +4,28 @@ If a line takes longer, the process is ended, and another one takes the next lin
 """
 import argparse
 import json
+import math
 import multiprocessing
-import os
+import pickle
 import signal
 import warnings
+from collections import deque
 from collections.abc import Iterator, Sequence
-from multiprocessing.connection import Connection
-from select import select
+from socket import socket, socketpair
+from time import monotonic
 from typing import Any
 
 from ...errors import GyrostatError, ValuesError
 from ...questions.answers.answer_list import answers_data
 from ...questions.answers.answers import answers_at
-from ...questions.given_numbers import numbers_of
-from ...questions.scene_texts import scene_of
-from ..options.scene_files import asked_of
 from ..output import internal
 from ..time_limit import held_back, left_alone, limited
-from .batch_lines import question
+from .batch_lines import READ, Numbered, Questions
 
 # an object of JSON, and the reason where the line is not answered
 Answer = tuple[str, str | None]
+READY: Answer = "", None                               # what a process says that waits for lines
+_JSON = json.JSONEncoder(allow_nan=False)              # json.dumps makes an encoder for each answer
 
 
 def reason(error: BaseException) -> str:
@@ -36,46 +37,49 @@ def reason(error: BaseException) -> str:
     return f"{internal(error, 200)}; it is a bug, please report it"
 
 
-def serve(connection: Connection, given: argparse.Namespace) -> None:
+def serve(place: socket, other: socket, given: argparse.Namespace) -> None:
     """Answer the lines that come, in order, until there are no more."""
+    other.close()                                      # of the process that asks: with it this one ends
     left_alone()
     limited(given.timeout)
     try:
-        defaults = numbers_of(given.values)
-        scene_of(asked_of(given, defaults))            # a wrong one would be wrong in every line
+        questions = Questions(given)
     except Exception as error:
-        connection.send(reason(error))
+        place.sendall(_message(refusal(0, reason(error))))
         return
-    connection.send(None)
+    place.sendall(_message(READY))
+    lines = place.makefile("rb")
     try:
         while True:
             limited(None)
-            for n, line in connection.recv():
+            for n, line in pickle.load(lines):
                 limited(given.timeout)
                 try:
-                    data = answers_data(answers_at(*question(line, given, defaults)))
-                    answer: Answer = json.dumps({"line": n} | data, allow_nan=False), None
+                    data = answers_data(answers_at(*questions.of(line)))
+                    answer: Answer = _JSON.encode({"line": n} | data), None
                 # every line answers for itself, whatever it brings about
                 except Exception as error:
                     answer = refusal(n, reason(error))
-                connection.send(answer)
+                place.sendall(_message(answer))
     except (EOFError, OSError):                        # nobody is there any more
         return
 
 
 def refusal(n: int, why: str) -> Answer:
     """The answer to a line that is not answered."""
-    return json.dumps({"line": n, "error": why}), why
+    return _JSON.encode({"line": n, "error": why}), why
 
 
-def _within(connection: Connection, seconds: float | None) -> bool:
-    """Whether something comes within the time.
+def _message(answer: Answer) -> bytes:
+    """An answer as a line of bytes; what begins with ! is none."""
+    text, why = answer
+    return f"{' ' if why is None else '!'}{text}\n".encode()
 
-    If select knows pipes, it is used: connection.poll makes a selector for each call.
-    """
-    if os.name == "nt":
-        return connection.poll(seconds)
-    return bool(select([connection.fileno()], [], [], seconds)[0])
+
+def _answer(message: bytes) -> Answer:
+    """The answer of a line of bytes."""
+    text = message[1:].decode()
+    return text, json.loads(text)["error"] if message.startswith(b"!") else None
 
 
 class Worker:
@@ -85,63 +89,88 @@ class Worker:
     ----------
     given : argparse.Namespace
         of gyrostat decide; timeout in seconds, None for none
+
+    Attributes
+    ----------
+    lines : deque of (int, bytes)
+        that it was given and has not answered
+    late : float
+        when the time for the first of them is over
     """
 
     def __init__(self, given: argparse.Namespace):
         self.given = given
         self.process: Any = None
-        self.connection: Connection | None = None
+        self.place: socket | None = None
+        self.lines, self.late, self.part = deque[Numbered](), math.inf, b""
 
-    def __enter__(self) -> "Worker":
-        return self
-
-    def __exit__(self, *_: object) -> None:
-        self.end()
-
-    def start(self) -> Connection:
+    def start(self) -> socket:
         """The connection to the process; a ValuesError if the options are wrong for every line."""
-        if self.connection is not None:
-            return self.connection
+        if self.place is not None:
+            return self.place
         methods = multiprocessing.get_all_start_methods()
         context: Any = multiprocessing.get_context("fork" if "fork" in methods else "spawn")
-        self.connection, theirs = multiprocessing.Pipe()
-        self.process = context.Process(target=serve, args=(theirs, self.given), daemon=True)
+        self.place, theirs = socketpair()
+        self.process = context.Process(target=serve, args=(theirs, self.place, self.given), daemon=True)
         with held_back(), warnings.catch_warnings():
             # of threads beside: the new process uses nothing of theirs
             warnings.simplefilter("ignore", DeprecationWarning)
             self.process.start()
         theirs.close()
+        self.place.settimeout(self.given.timeout)
         try:
-            if not self.connection.poll(self.given.timeout):
-                raise ValuesError(f"--potential and --set are not understood within {self.given.timeout:g} "
-                                  "s: write them more simply")
-            if (why := self.connection.recv()) is not None:
-                raise ValuesError(why)
-        except EOFError:
-            raise ValuesError(f"--potential and --set: {self._gone()}") from None
-        return self.connection
+            first = self.place.makefile("rb").readline()
+        except TimeoutError:
+            raise ValuesError(f"--potential and --set are not understood within {self.given.timeout:g} "
+                              "s: write them more simply") from None
+        except ConnectionError:
+            first = b""
+        if not first:
+            raise ValuesError(f"--potential and --set: {self._gone()}")
+        if (why := _answer(first)[1]) is not None:
+            raise ValuesError(why)
+        self.place.settimeout(None)
+        return self.place
 
-    def answers(self, lines: Sequence[tuple[int, bytes]]) -> Iterator[Answer]:
-        """The answer to each of the lines, as they come."""
-        limit, done = self.given.timeout, 0
-        while done < len(lines):
-            connection = self.start()
+    def send(self, lines: Sequence[Numbered]) -> None:
+        """Give lines to the process, which has none."""
+        while lines:
             try:
-                connection.send(lines[done:])
+                self.start().sendall(pickle.dumps(lines))
+                break
             except ConnectionError:                    # it was ended between the lines: another one is asked
                 self.end()
-                continue
-            for n, _ in lines[done:]:
-                done += 1
-                try:
-                    if _within(connection, limit):
-                        yield connection.recv()
-                        continue
-                    self.end()
-                    yield refusal(n, f"no answer within {limit:g} s")
-                except (EOFError, ConnectionError):    # the process is gone
-                    yield refusal(n, self._gone())
-                break
+        self.lines = deque(lines)
+        self._waits()
+
+    def come(self) -> Iterator[tuple[int, Answer]]:
+        """The answers that are there, some at least; if the process is gone, why its line has none."""
+        try:
+            data = self.start().recv(READ)
+        except ConnectionError:
+            data = b""
+        if not data:
+            yield self._without(self._gone())
+            return
+        *whole, self.part = (self.part + data).split(b"\n")
+        for message in whole:
+            yield self.lines.popleft()[0], _answer(message)
+        self._waits()
+
+    def give_up(self) -> tuple[int, Answer]:
+        """The refusal of the line that takes too long."""
+        self.end()
+        return self._without(f"no answer within {self.given.timeout:g} s")
+
+    def _without(self, why: str) -> tuple[int, Answer]:
+        """The refusal of a line that ended the process; another one answers those after it."""
+        (n, _), *others = self.lines
+        self.send(others)
+        return n, refusal(n, why)
+
+    def _waits(self) -> None:
+        """Begin the time for a line."""
+        self.late = math.inf if self.given.timeout is None else monotonic() + self.given.timeout
 
     def _gone(self) -> str:
         """Why the process is gone."""
@@ -155,9 +184,9 @@ class Worker:
 
     def end(self) -> None:
         """End the process, whatever it does."""
-        if self.connection is not None:
+        if self.place is not None:
             self.process.kill()
             self.process.join()
             self.process.close()
-            self.connection.close()
-            self.connection = None
+            self.place.close()
+            self.place, self.part = None, b""

@@ -61,10 +61,11 @@ def run(given: argparse.Namespace, out: Output) -> int:
         out(text([*blocks, *without, *([] if blocks or without else [sentence(_NOWHERE)]),
                   *note_blocks(note), *(term_blocks(blocks) if given.full else [])], out.width))
         return 0
-    details = [block for n, a in enumerate(found, 1) for block in _blocks(a, f"{n}  {a.label}", units)]
     out(answer_table(found, units, out.width) + "\n")
+    details = [block for n, a in enumerate(found, 1) for block in _blocks(a, f"{n}  {a.label}", units)
+               ] if given.full else []
     out(text([prose(legend(found)), *([] if given.full else [sentence("Details: --full")]), *without,
-              *note_blocks(note), *([*details, *term_blocks(details)] if given.full else [])], out.width))
+              *note_blocks(note), *details, *term_blocks(details)], out.width))
     return 0
 
 

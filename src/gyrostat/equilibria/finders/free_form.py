@@ -1,4 +1,5 @@
 """Says what decides a permanent rotation of a free body or gyrostat, and in which words."""
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -56,9 +57,9 @@ class FreeForm(Form):
         return (("M", self.M),)
 
     @property
-    def place(self) -> dict[str, Expr | None]:
+    def placed(self) -> Sequence[tuple[Sequence[str], Sequence[Expr | None]]]:
         """The components of π, by name."""
-        return dict(zip(("pi1", "pi2", "pi3"), self.point))
+        return [(("pi1", "pi2", "pi3"), self.point)]
 
     @property
     def point(self) -> tuple[Expr, ...]:

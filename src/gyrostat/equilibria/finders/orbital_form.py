@@ -68,8 +68,7 @@ class OrbitalForm(Form):
     @property
     def described(self) -> tuple[tuple[str | Expr, Any], ...]:
         """The directions n and r, which tell it from others."""
-        n, r = self.directions
-        return ("n", n), ("r", r)
+        return ("n", self.n), ("r", self.r)
 
     @cached_property
     def point(self) -> tuple[Expr, ...]:

@@ -1,5 +1,5 @@
 """Says what decides a relative equilibrium of a body of revolution in U(k3), in the axes of its scene."""
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
@@ -81,14 +81,14 @@ class RevolutionForm(Form):
                 *zip((symbol("omega"), symbol("sigma")), rates))
 
     @property
-    def place(self) -> dict[str, Expr | None]:
+    def placed(self) -> Sequence[tuple[Sequence[str], Sequence[Expr | None]]]:
         """The values of k3, omega, sigma and pi3; for a scene in other axes its point."""
         _, (_, omega), (_, sigma) = self.described
         if self.found.scene is self.found.standard:
             k3, pi3 = (None, None) if self.every else (self.k3, self.pi3)
-            return {"k3": k3, "omega": omega, "sigma": sigma, "pi3": pi3}
-        names = map(str, self.scene.space.coordinates)
-        return dict(zip(names, () if self.every else self.point)) | {"omega": omega, "sigma": sigma}
+            return [(("k3", "omega", "sigma", "pi3"), (k3, omega, sigma, pi3))]
+        names = [str(x) for x in self.scene.space.coordinates]
+        return [*([] if self.every else [(names, self.point)]), (("omega", "sigma"), (omega, sigma))]
 
     @cached_property
     def point(self) -> tuple[Expr, ...]:

@@ -57,6 +57,7 @@ class Equilibrium(Shown, Stored):
     relations: tuple[Relation, ...] = ()
     domain: tuple[Expr, ...] = ()
     eliminated: tuple[str, ...] = ()
+    _carried = "_existence", "field_values", "constraints"
 
     def __post_init__(self) -> None:
         require(self.system, System, "the scene")
@@ -93,10 +94,9 @@ class Equilibrium(Shown, Stored):
         """Check that k is a unit vector (the verbs refuse k = 0), the relations on U, that U is smooth."""
         if isinstance(self.system.potential, CoupledPotential):
             return self._check_held(self.system.potential.held)
-        k = self.point[3:]
-        named = k == self.system.space.coordinates[3:]         # any unit vector: checked at numbers
+        k, anywhere = self.point[3:], self.system.space.coordinates[3:]   # of names: checked at numbers
         length = sum((x**2 for x in k), S.NegativeOne)
-        if any(k) and not named and (excess := residual_of(length, self.insert)):
+        if any(k) and k != anywhere and (excess := residual_of(length, self.insert)):
             unknown = " (not proved to be 0)" if is_identically_zero(excess) is None else ""
             raise EquilibriumError(f"{self.label} has k = ({', '.join(map(str, k))}) with |k|² − 1 = {excess}"
                                    f"{unknown}: k is a direction, |k| = 1; divide it by its length")

@@ -22,6 +22,7 @@ from math import lcm
 from sympy import Dummy, Expr, Pow, Rational, S, acos, acosh, asin, atanh, factorial, log, pi
 
 from ..._cached import cached_property
+from ...algebra.enclosures.balls import is_undefined
 from ...algebra.reals.exact import is_identically_zero, sign, sign_of_constant
 from ...algebra.rings.polynomials import Ring, lowest_terms
 from ...algebra.text.numbers import shown
@@ -169,7 +170,7 @@ def refuse_rough(label: str, potential: Potential | None, near: NearPole | None,
             raise EquilibriumError(f"{label} cannot be analysed: U contains near it a power of 0 whose "
                                    f"exponent has {', '.join(names)} in it; put numbers into U first, in "
                                    f"Python U.subs({names[0]}, 2)")
-        if value.is_finite is False or value.is_real is False or value.has(S.NaN):
+        if is_undefined(value):
             raise EquilibriumError(f"{label} cannot be analysed: U or one of its derivatives is "
                                    f"{shown(value)} there, not a finite real number; choose another point, "
                                    "or another U")

@@ -111,10 +111,10 @@ class Gyrostat(Shown, Stored):
             return tuple(self.inertia)
         return leading_minors(self.inertia)
 
-    @property
-    def symbols(self) -> set[Symbol]:
+    @cached_property
+    def symbols(self) -> frozenset[Symbol]:
         """The names that it depends on."""
-        return {s for e in (*self.entries, *self.gyrostatic_momentum) for s in e.free_symbols}
+        return frozenset(s for e in (*self.entries, *self.gyrostatic_momentum) for s in e.free_symbols)
 
     @checked
     def changed(self, change: Callable[[Expr], Expr]) -> "Gyrostat":

@@ -1,5 +1,5 @@
 """Integrals of a scene: finds those linear in π as a kernel, reads and proves any other that is given."""
-from collections.abc import Sequence
+from collections.abc import Sequence, Set
 from functools import lru_cache
 from typing import Any
 
@@ -21,7 +21,8 @@ def texts_or_expressions(integrals: Any) -> tuple[Expr, ...]:
     return tuple(parse(F) if isinstance(F, str) else exact_expression(F, "an integral") for F in integrals)
 
 
-def in_coordinates(F: Expr, space: LiePoisson, rotor: Sequence[Expr], parameters: set[Symbol]) -> Expr:
+def in_coordinates(F: Expr, space: LiePoisson, rotor: Sequence[Expr],
+                   parameters: Set[Symbol]) -> Expr:
     """Return F in the coordinates of the space, with M = π + l inserted.
 
     It is refused if it has other names, or is constant.

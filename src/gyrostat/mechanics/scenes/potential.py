@@ -130,7 +130,7 @@ class Potential(Shown, Stored):
         """Whether U depends on k3 alone."""
         return len(self.variables) == 1
 
-    @property
+    @cached_property
     def parameters(self) -> tuple[Symbol, ...]:
         """The symbols of U other than k, by name."""
         return tuple(sorted(self.expression.free_symbols - set(self.variables), key=str))

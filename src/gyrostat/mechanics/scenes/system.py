@@ -240,6 +240,6 @@ def at_numbers(scene: System, known: Mapping[Symbol, Expr]) -> System:
                      [F for F in given if any(scene.space.hessian(F))])
 
 
-def names_of_scene(scene: System) -> set[Symbol]:
+def names_of_scene(scene: System) -> frozenset[Symbol]:
     """Return the symbols of the body and of U."""
     return scene.body.symbols.union(scene.potential.parameters if scene.potential else ())

@@ -16,6 +16,7 @@ from ...stability.report.report import Report
 from ...stability.theorems.drift import Drift
 from ...version import DOCUMENT_FORMAT
 from ..results.boundary import ladder, undecided
+from .exact_text import exact_text
 
 if TYPE_CHECKING:
     from ...stability.normal_forms.d4_along_family import Window
@@ -107,7 +108,7 @@ def decision_data(decision: Decision) -> dict[str, Any]:
             "modulo": strings(decision.modulo), "level": strings(decision.level),
             "locus": decision.locus, "rung": decision.rung.value,
             "proved": decision.proved, "reason": decision.reason,
-            "margins": {_text(margin): str(value) for margin, value in decision.margins},
+            "margins": {_text(margin): exact_text(value) for margin, value in decision.margins},
             "certificate": {str(F): str(a) for F, a in decision.certificate},
             "note": decision.note}
 
@@ -134,12 +135,12 @@ def window_data(window: "Window") -> dict[str, Any]:
 
 def number_data(number: Expr | None) -> dict[str, Any] | None:
     """A number exactly and as a decimal; None stays None."""
-    return None if number is None else {"exact": str(number), "decimal": double(number)}
+    return None if number is None else {"exact": exact_text(number), "decimal": double(number)}
 
 
 def rate_data(number: Expr) -> dict[str, Any]:
     """The same of a number that may be known to some digits only."""
-    return {"exact": None if number.has(Float) else str(number), "decimal": double(number)}
+    return {"exact": None if number.has(Float) else exact_text(number), "decimal": double(number)}
 
 
 def double(number: Expr) -> float | None:

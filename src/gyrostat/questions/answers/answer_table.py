@@ -1,14 +1,14 @@
 """The answers of decide as a table: of each equilibrium its place, its rates and its two verdicts."""
 from collections import Counter
-from collections.abc import Collection, Iterable, Sequence
+from collections.abc import Iterable, Sequence
 from textwrap import wrap
 
 from sympy import Expr
 
 from ...algebra.text.grammar import parse
+from ...printing.cells import in_a_cell, in_cells
 from ...printing.formats.text_tables import Column, table_text
 from ...printing.formats.unicode import unicode
-from ...printing.numbers import in_a_cell
 from ...stability.decision import Decision, Verdict
 from .answers import Answer
 
@@ -32,10 +32,10 @@ def answer_table(answers: Sequence[Answer], with_units: bool, width: int) -> str
     columns = [Column("#", [str(n) for n in range(1, len(answers) + 1)], number=True)]
     if len(set(labels)) > 1:
         columns.append(Column("name", labels))
-    columns += [Column(unicode(parse(name)), [in_a_cell(p[name]) if name in p else "" for p in
-                                              map(_place, answers)],
+    places = [_place(a) for a in answers]
+    columns += [Column(unicode(parse(name)), [place.get(name, "") for place in places],
                        answers[0].unit_of(name) if with_units else "", number=True)
-                for name in _names(answers)]
+                for name in dict.fromkeys(name for place in places for name in place)]
     columns += [Column("verdict", [_verdict(a.decision) for a in answers]),
                 Column("damped", [_verdict(a.damped) for a in answers])]
     notes = ["" if a.found is None or not a.found.locus else a.found.locus for a in answers]
@@ -73,21 +73,18 @@ def _label(answer: Answer) -> str:
     return answer.label if answer.found is None else answer.found.label
 
 
-def _place(answer: Answer) -> dict[str, Expr | None]:
-    """Where it lies, and how fast it turns; of a pole that was named its k3.
+def _place(answer: Answer) -> dict[str, str]:
+    """Where it lies, and how fast it turns, in cells; of a pole that was named its k3.
 
     A body of revolution is placed by the tilt of its axis; the rate of an orbit, which is given, is left out.
     """
     found = answer.found
     if found is None:
-        return {"k3": answer.at} if answer.at.is_number else {}
+        return {"k3": in_a_cell(answer.at)} if answer.at.is_number else {}
     if all(isinstance(name, Expr) for name, _ in found.form.described):
-        return {str(name): value for name, value in found.form.described}
-    return {**answer.place, **{name: x for name, x in found.rates.items() if name != "omega0"}}
-
-
-def _names(answers: Sequence[Answer]) -> Collection[str]:
-    return list(dict.fromkeys(name for a in answers for name in _place(a)))
+        return {str(name): in_a_cell(value) for name, value in found.form.described}
+    cells = {name: cell for names, numbers in answer.placed for name, cell in zip(names, in_cells(numbers))}
+    return cells | {name: in_a_cell(x) for name, x in found.rates.items() if name != "omega0"}
 
 
 def _verdict(decision: Decision | None) -> str:

@@ -1,6 +1,6 @@
 """Answers decide: for the equilibrium that is named, or for all that the numbers allow."""
-from collections.abc import Mapping
-from dataclasses import dataclass, field
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 
 from sympy import Expr
 
@@ -18,12 +18,11 @@ from ...printing.formats.si_units import RATE, unit_of
 from ...stability.decision import Decision
 from ...stability.normal_forms.d4_along_family import Window
 from ...stability.normal_forms.normal_form import NormalForm
-from ...stability.report.report import Report
+from ...stability.report.report import Report, both_verdicts
 from ..scene_texts import Asked, scene_of
 from .equilibria import (
     AT_REST,
     Missing,
-    both_verdicts,
     enough,
     its_own,
     known_names,
@@ -44,7 +43,7 @@ class Answer:
     """One equilibrium with its decisions; if it was found, with its place and its rates.
 
     damped is None if it is no equilibrium under internal damping; itself is about the point, if the decision
-    is modulo a flow.
+    is modulo a flow; listed says whether it is one of all that were found, so that its place tells which.
     """
 
     label: str
@@ -53,12 +52,23 @@ class Answer:
     damped: Decision | None
     itself: Decision | None
     found: RelativeEquilibrium | None = None
-    place: dict[str, Expr | None] = field(default_factory=dict)
+    listed: bool = False
+
+    @property
+    def placed(self) -> Sequence[tuple[Sequence[str], Sequence[Expr | None]]]:
+        """The names of its place with their numbers, not yet written out; none if it was named."""
+        return self.found.form.placed if self.found is not None and self.listed else ()
+
+    @property
+    def place(self) -> dict[str, Expr | None]:
+        """What tells it from the others that were found, by name; nothing if it was named."""
+        return self.found.place if self.found is not None and self.listed else {}
 
     @property
     def at_point(self) -> RelativeEquilibrium | None:
         """What was found, unless the place takes every value: the frequencies change along it."""
-        return None if None in self.place.values() else self.found
+        described = self.found.form.described if self.found is not None and self.listed else ()
+        return None if any(value is None for _, value in described) else self.found
 
     @property
     def rates(self) -> dict[str, Expr]:
@@ -194,8 +204,11 @@ def _decided(report: Report, numbers: Mapping[str, Expr]) -> Answer:
 
 def _librations(report: Report, numbers: Mapping[str, Expr]) -> RelativeEquilibrium | None:
     """An Earth-pointing satellite, every name of which has a number, as one of all its attitudes."""
-    eq, known = report.equilibrium, {symbol(name): x for name, x in numbers.items()}
-    if eq.label != EARTH_POINTING.label or not names_of_scene(eq.system) <= known.keys():
+    eq = report.equilibrium
+    if eq.label != EARTH_POINTING.label:
+        return None
+    known = {symbol(name): x for name, x in numbers.items()}
+    if not names_of_scene(eq.system) <= known.keys():
         return None
     return RelativeEquilibrium(OrbitalForm(at_numbers(eq.system, known), eq.point[3:6], eq.point[6:]))
 
@@ -203,4 +216,4 @@ def _librations(report: Report, numbers: Mapping[str, Expr]) -> RelativeEquilibr
 def _found(found: RelativeEquilibrium) -> Answer:
     """The answer for an equilibrium that was found."""
     return Answer(found.form.heading, found.form.at, found.decision, found.damped, found.itself, found,
-                  found.place)
+                  listed=True)

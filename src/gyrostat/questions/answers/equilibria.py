@@ -16,7 +16,6 @@ from ...mechanics.scenes.system import at_numbers, names_of_scene
 from ...notation import jet, symbol
 from ...printing.blocks import Block, Heading, prose
 from ...stability.criteria.numbers_asked import unknown
-from ...stability.decision import Decision, undecided
 from ...stability.report.analysis import analyze
 from ...stability.report.report import Report
 from ..given_numbers import spin_of
@@ -201,13 +200,6 @@ def enough(reports: Sequence[Report], numbers: Mapping[str, Expr]) -> list[bool]
         raise ValuesError(f"these numbers are not enough for a verdict: set also, for {wanted}" + (
             " (or omega3_0 in place of pi3_0)" if "pi3_0" in wanted else ""))
     return [not names for names in missing]
-
-
-def both_verdicts(report: Report, numbers: Mapping[str, Expr]) -> tuple[Decision, Decision]:
-    """The verdict, and that under internal damping, which may need more names."""
-    missing = ", ".join(name for name in report.secular.compared if name not in numbers)
-    damped = undecided(f"give {missing} to decide") if missing else report.verdict(numbers, damped=True)
-    return report.verdict(numbers), damped
 
 
 def its_own(report: Report, numbers: Mapping[str, Expr]) -> dict[str, Expr]:

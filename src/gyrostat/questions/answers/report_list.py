@@ -8,9 +8,9 @@ from sympy import Expr
 from ..._lazy import loaded
 from ...mechanics.scenes.system import System
 from ...stability.decision import Decision
-from ...stability.report.report import Report
+from ...stability.report.report import Report, both_verdicts
 from ..scene_texts import Asked, scene_of
-from .equilibria import Missing, both_verdicts, enough, its_own, known_names, labels_of, of_each, reports_of
+from .equilibria import Missing, enough, its_own, known_names, labels_of, of_each, reports_of
 
 
 @dataclass(frozen=True)

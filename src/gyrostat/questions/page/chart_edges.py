@@ -32,6 +32,7 @@ def edges(report: Report, values: Mapping[str, str], axes: Sequence[str],
     dict
         points, pairs of double; none where a margin is no polynomial with rational numbers
     """
+    report = report.written_out
     margins = dict.fromkeys((*demands(report), *expressions(report.sufficient),
                              *expressions(report.necessary)))
     numbers = {symbol(name): exact_number(text, name) for name, text in values.items() if name not in axes}

@@ -10,7 +10,7 @@ from typing import Any
 from sympy import Expr, NumberSymbol, Pow, Rational, Symbol, exp, log
 
 from ...algebra.text.numbers import exact_number, shown
-from ...charts.signs.straightline import Axes, program_of
+from ...charts.programs.straightline import Axes, program_of
 from ...errors import GyrostatError, ScopeError
 from ...mechanics.equilibrium.unit_vectors import in_any_direction
 from ...notation import symbol
@@ -104,6 +104,7 @@ def charted(report: Report, axes: Sequence[str]) -> Data:
         steps, names, positive, sufficient, necessary; or why the page draws nothing
     """
     try:
+        report = report.written_out
         _refuse(report, axes)
         writer = Writer({symbol(name): frozenset({n}) for n, name in enumerate(axes)})
         found = {"positive": [writer.write(e) for e in demands(report)],

@@ -1,10 +1,11 @@
 """The four numbers that decide a permanent rotation of a body in a field, by its amended potential."""
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple
 
 from ...algebra.rings.matrices import adjugate, cross
 
 Rows = Sequence[Sequence[Any]]
+UPPER = [(i, j) for i in range(3) for j in range(i, 3)]
 
 
 class AmendedForm(NamedTuple):
@@ -88,14 +89,21 @@ def with_multiplier(inertia: Rows, rotor: Sequence[Any], mu: Any, hessian: Rows,
 
 def second_variation(inertia: Rows, mu: Any, hessian: Rows, v: Sequence[Any], J: Any, omega: Any) -> Rows:
     """Return K = D²U + μ − omega² I + v vᵀ/J."""
-    square = omega**2
-    return [[hessian[i][j] - square * inertia[i][j] + v[i] * v[j] / J + (mu if i == j else 0)
-             for j in range(3)] for i in range(3)]
+    square, w = omega**2, [x / J for x in v]
+    return _symmetric(lambda i, j: hessian[i][j] - square * inertia[i][j] + v[i] * w[j]
+                      + (mu if i == j else 0))
 
 
 def reduced_inertia(inertia: Rows, along: Sequence[Any], J: Any) -> Rows:
     """Return A = I − Ik (Ik)ᵀ/J."""
-    return [[inertia[i][j] - along[i] * along[j] / J for j in range(3)] for i in range(3)]
+    part = [x / J for x in along]
+    return _symmetric(lambda i, j: inertia[i][j] - along[i] * part[j])
+
+
+def _symmetric(entry: Callable[[int, int], Any]) -> Rows:
+    """Return the symmetric matrix of three rows whose entries with i ≤ j are given."""
+    a, b, c, d, e, f = (entry(i, j) for i, j in UPPER)
+    return (a, b, c), (b, d, e), (c, e, f)
 
 
 def of_forms(K: Rows, A: Rows, B: Any, k: Sequence[Any], scale: Any) -> AmendedForm:

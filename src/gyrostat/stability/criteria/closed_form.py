@@ -1,31 +1,44 @@
-"""Trace, determinant, p and q of a permanent rotation in any direction, by names that are defined in turn.
+"""Trace, determinant, p and q of a permanent rotation off an axis, by names that are defined in turn.
 
-Written out in the names of the scene they would be too long: each name stands for a vector or a matrix of the
-amended potential (AmendedForm).
+Each name stands for a vector or a matrix of the amended potential (AmendedForm). In any direction, and
+wherever the trace is long, conditions are written in these names: written out they would be too long to read.
 """
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 from flint import fmpq
-from sympy import Expr, Matrix, Rational, S
+from sympy import Expr, Matrix, Symbol, sympify
 
 from ..._cached import cached_property
+from ...algebra.enclosures.rationals import to_sympy
 from ...algebra.reals.exact import Point, compiled, evaluate
 from ...algebra.rings.matrices import cross
-from ...algebra.rings.polynomials import Ring, lowest_terms
+from ...algebra.rings.polynomials import Ring, cancel, lowest_terms
 from ...mechanics.equilibrium.derivation_ring import rows_at_point
 from ...mechanics.equilibrium.derived_once import once
 from ...mechanics.equilibrium.equilibrium import Equilibrium, Relation
+from ...mechanics.equilibrium.standard_axes import seen
+from ...mechanics.equilibrium.unit_vectors import in_any_direction
 from ...mechanics.scenes.system import System, names_of_scene
-from ...notation import symbol
+from ...notation import Stored, symbol
 from ...registry import Letters
 from ..notion import Notion
-from .amended_form import AmendedForm, dot, of_forms, reduced_inertia, second_variation, with_multiplier
+from .amended_form import (
+    UPPER,
+    AmendedForm,
+    dot,
+    of_forms,
+    reduced_inertia,
+    second_variation,
+    with_multiplier,
+)
 from .conditions import Condition, Criterion
+from .energy_casimir import blocks
+from .energy_casimir import second_variation as variation_on_slice
 from .numbers_asked import names_in
 
-UPPER = [(i, j) for i in range(3) for j in range(i, 3)]
+SHORT = 25                                                 # terms of t with which margins are written out
 
 
 class Named:
@@ -47,16 +60,17 @@ class Named:
 
 
 @dataclass(frozen=True)
-class ClosedForm:
-    """What decides a permanent rotation in any direction k, by names that are defined in turn.
+class ClosedForm(Stored):
+    """What decides a permanent rotation of a body in a field, by names that are defined in turn.
 
     Parameters
     ----------
     equilibrium : Equilibrium
-        of a family in k1, k2, k3
+        without integrals; k is not along an axis of the body
     """
 
     equilibrium: Equilibrium
+    _carried = "named", "forms"
 
     @cached_property
     def named(self) -> Named:
@@ -69,7 +83,10 @@ class ClosedForm:
 
         Derived in docs/explanation/derivations/amended-potential.md, sections 3 and 4.
         """
-        inertia, rotor, hessian, k, omega, mu = self.forms
+        inertia, rotor, hessian, place, omega, mu = self.forms
+        # components of k that are neither numbers nor names have the names k1, k2, k3
+        names = self.equilibrium.system.space.coordinates[3:]
+        k = [x if x.is_Atom else name for x, name in zip(place, names)]
         along = [dot(row, k) for row in inertia]
         v = [2 * omega * a + l for a, l in zip(along, rotor)]
         own = self.named
@@ -77,11 +94,24 @@ class ClosedForm:
         reduced = reduced_inertia(inertia, along, own.J)
         tensor = Matrix(inertia)
         form = of_forms(own.K, own.A, own.G, k, own.J / tensor.det())
-        return ((own.J, dot(k, along)), *zip(own.v, v), *((own.K[i][j], second[i][j]) for i, j in UPPER),
+        return (*((name, x) for name, x in zip(k, place) if name != x),
+                (own.J, dot(k, along)), *zip(own.v, v), *((own.K[i][j], second[i][j]) for i, j in UPPER),
                 *((own.A[i][j], reduced[i][j]) for i, j in UPPER),
                 (own.G, dot(own.v, along) / own.J - omega * tensor.trace()), (own.trace, form.trace.expand()),
                 (own.determinant, form.determinant.expand()), (own.p, form.p),
                 (own.q, own.J * own.determinant / tensor.det()))
+
+    @cached_property
+    def invariants(self) -> AmendedForm:
+        """The four expressions in the names of the family, neither expanded nor in lowest terms."""
+        inertia, rotor, hessian, k, omega, mu = self.forms
+        return with_multiplier(inertia, rotor, mu, hessian, k, omega)
+
+    @property
+    def margins(self) -> list[Expr]:
+        """The margins of all conditions in the names of the family: t, s, p, q and p² − 4q."""
+        form = self.invariants
+        return [*form, form.p**2 - 4 * form.q]
 
     def criterion(self, notion: Notion) -> Criterion:
         """Return the spectral, formal or secular criterion in these names."""
@@ -101,11 +131,24 @@ class ClosedForm:
 
     def at(self, numbers: Point) -> AmendedForm:
         """Return the four numbers at a point, exactly, without inserting the definitions into each other."""
-        rational = [_rational(e, numbers) for e in self._flat]
-        if None in rational:
+        try:
+            entries, places = self._program or ([], [])
+            known = [_value(entry, numbers) for entry in entries]
+        except KeyError:                                   # a number that is not rational
+            places = []
+        if not places:
             return with_multiplier(*_shaped([evaluate(e, numbers) for e in self._flat]))
-        found = with_multiplier(*_shaped(rational))
-        return AmendedForm(*(Rational(int(x.p), int(x.q)) for x in found))
+        return AmendedForm(*map(to_sympy, with_multiplier(*_shaped([known[n] for n in places]))))
+
+    def with_names(self, numbers: Point) -> Point:
+        """Return numbers with those of t, s, p and q besides, in which the conditions are written."""
+        own = self.named
+        return numbers.joined(zip((own.trace, own.determinant, own.p, own.q), self.at(numbers)))
+
+    def values(self, number: Callable[[Expr], Any]) -> dict[Symbol, Any]:
+        """Return t, s, p and q by name, if number gives expressions of the family in an arithmetic."""
+        found, own = with_multiplier(*_shaped([number(e) for e in self._flat])), self.named
+        return dict(zip((own.trace, own.determinant, own.p, own.q), found))
 
     @cached_property
     def momentum_across(self) -> list[Expr]:
@@ -138,10 +181,36 @@ class ClosedForm:
     def _flat(self) -> list[Expr]:
         inertia, rotor, hessian, k, omega, mu = self.forms
         flat = [x for form in (inertia, [rotor], hessian, [k]) for row in form for x in row]
-        return [*flat, omega, mu]
+        return [*map(sympify, flat), omega, mu]
+
+    @cached_property
+    def _program(self) -> tuple[list[Any], list[int]] | None:
+        """The different entries of the forms, compiled, and the place of each; None if one is no fraction."""
+        entries = list(dict.fromkeys(self._flat))
+        program = list(map(compiled, entries))
+        return None if None in program else (program, [entries.index(e) for e in self._flat])
 
 
 closed_form = once(ClosedForm)                             # derived once for each family
+
+
+@once
+def in_names(eq: Equilibrium) -> ClosedForm | None:
+    """Return the closed form in whose names conditions are written; None if they are written out.
+
+    They are written out if they are short, which is told before they are expanded: the trace t, the shortest
+    of them, has at most SHORT terms in lowest terms. So they are if k is along an axis, or the second
+    variation splits: its own minors are shorter.
+    """
+    if in_any_direction(eq):
+        return closed_form(eq)
+    if eq.system.integrals or seen(eq) or sum(x != 0 for x in eq.point[3:]) < 2:
+        return None
+    trace = closed_form(eq).invariants.trace
+    top, bottom = Ring([trace]).fraction(trace)
+    if len(cancel(top, bottom)[0]) <= SHORT or len(blocks(variation_on_slice(eq).matrix.tolist())) > 1:
+        return None
+    return closed_form(eq)
 
 
 def _shaped(flat: Sequence[Any]) -> tuple[Any, ...]:
@@ -158,15 +227,8 @@ def _on_sphere(expression: Expr, square: Expr) -> Expr:
     return lowest_terms(expression) if rest else ring.quotient(quotient, bottom)
 
 
-def _rational(expression: Expr, numbers: Point) -> fmpq | None:
-    """Return the value of a fraction of polynomials at rational numbers; None for anything else."""
-    if expression.is_Symbol:
-        return numbers.rational.get(expression)
-    if expression is S.Zero:
-        return fmpq(0)
-    fraction = compiled(expression)
-    point = None if fraction is None else numbers.rational_at(fraction[0])
-    if fraction is None or point is None:
-        return None
-    _, top, bottom = fraction
+def _value(entry: Any, numbers: Point) -> fmpq:
+    """Return the value of a compiled fraction at numbers; KeyError if one of them is not rational."""
+    symbols, top, bottom = entry
+    point = [numbers.rational[s] for s in symbols]
     return top(*point) if bottom is None else top(*point) / bottom(*point)

@@ -5,7 +5,7 @@ from typing import Any
 
 from sympy import Add, Expr, Rational, S, Symbol
 
-from ...algebra.enclosures.balls import ball, finite_ball
+from ...algebra.enclosures.balls import ball, finite_ball, is_undefined
 from ...algebra.reals.exact import Point, compiled, evaluate, sign_of_constant
 from ...algebra.text.numbers import exact_number, shown
 from ...algebra.text.quantities import not_mixed
@@ -117,7 +117,7 @@ def unknown(name: str, known: Sequence[str], where: str) -> str:
     return f"{where} has no parameter {brief(name)[1:-1]}: {hint} parameters are {', '.join(known)}{spin}"
 
 
-def _exists(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> str:
+def _exists(eq: Equilibrium, numbers: Point) -> str:
     """Return what is not proved about the existence of the point, "" if nothing.
 
     A point that is proved not to exist is refused.
@@ -137,12 +137,14 @@ def _exists(eq: Equilibrium, numbers: Mapping[Symbol, Expr]) -> str:
                 todo = f"k3 = {shown(numbers[K3])}, give −1 < k3 < 1"
             raise ValuesError(f"{eq.label} exists only where {expression} > 0, here it {here}: {todo}")
     for expression in eq.field_values:
-        if (fraction := compiled(expression)) is not None and fraction[2] is None:
-            continue                                       # a polynomial: finite and real wherever it is
+        if (fraction := compiled(expression)) is not None:
+            symbols, _, bottom = fraction
+            if bottom is None or (point := numbers.rational_at(symbols)) and bottom(*point):
+                continue                                   # finite and real: no denominator, or it is not 0
         if not expression.free_symbols <= numbers.keys():
             continue
         value = evaluate(expression, numbers)
-        if value.is_finite is False or value.is_real is False or value is S.NaN:
+        if is_undefined(value):
             raise ValuesError(f"U or one of its derivatives, {expression}, is {shown(value)} there, not a "
                               "finite real number: choose another point")
     return doubt

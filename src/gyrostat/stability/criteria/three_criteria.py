@@ -1,5 +1,6 @@
 """Makes the spectral, the formal and the secular criterion, by discriminants and by minors."""
 from collections.abc import Iterable, Sequence
+from typing import TYPE_CHECKING
 
 from sympy import Expr, Matrix, S
 
@@ -7,7 +8,7 @@ from ..._lazy import loaded
 from ...algebra.rings.polynomials import lowest_terms
 from ...algebra.solving.margins import Signs
 from ...arguments import checked
-from ...mechanics.equilibrium.derivation_ring import rows_at_point, signs_over
+from ...mechanics.equilibrium.derivation_ring import signs_over
 from ...mechanics.equilibrium.equilibrium import Equilibrium
 from ...mechanics.scenes.kind import Kind
 from ..notion import Notion
@@ -17,6 +18,9 @@ from .implication import Item, eliminate, merge, reduced
 from .linearization import Linearization
 from .orientation_form import orientation_form, rests_in_frame
 from .sextic import factors_in_squares, items_of_factors, items_of_monic
+
+if TYPE_CHECKING:
+    from .closed_form import ClosedForm
 
 Minor = tuple[str, int, Expr]                              # its name, its order, the minor itself
 
@@ -170,17 +174,16 @@ def across(variation: SecondVariation) -> list[Minor]:
     If k is along an axis or the second variation splits, its own minors are shorter, and the list is empty.
     """
     eq = variation.equilibrium
-    system, body, k = eq.system, eq.system.body, eq.point[3:]
-    if system.potential is None or system.coupled or system.linear_integrals or sum(x != 0 for x in k) < 2:
+    along = eq.system.kind is not Kind.FIELD or sum(x != 0 for x in eq.point[3:]) < 2
+    if along or eq.system.linear_integrals or len(blocks(variation.matrix.tolist())) > 1:
         return []
-    if len(blocks(variation.matrix.tolist())) > 1:
-        return []
-    omega = loaded("stability.criteria.amended_form:dot")(k, body.inverse * Matrix(eq.point[:3]))
-    gradient = [eq.at_point(d) for d in system.potential.gradient()]
-    hessian = [row[3:] for row in rows_at_point(eq, system.energy_hessian)[3:]]
-    form = loaded("stability.criteria.amended_form:amended_form")(
-        body.tensor.tolist(), body.gyrostatic_momentum, gradient, hessian, k, omega)
+    form = loaded("stability.criteria.closed_form:closed_form")(eq).invariants
     return [("t", 1, lowest_terms(form.trace)), ("s", 2, lowest_terms(form.determinant))]
+
+
+def in_names(eq: Equilibrium) -> "ClosedForm | None":
+    """Return the closed form in whose names conditions are written if they are long; else None."""
+    return loaded("stability.criteria.closed_form:in_names")(eq) if eq.system.kind is Kind.FIELD else None
 
 
 def stiffness(variation: SecondVariation) -> Matrix | None:

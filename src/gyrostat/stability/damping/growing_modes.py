@@ -2,12 +2,23 @@
 
 The method is the theorem of Kelvin, Tait and Chetaev on the part of the motion that the damping reaches.
 """
-from typing import NamedTuple
+from collections.abc import Sequence
+from typing import NamedTuple, TypeAlias
 
-from sympy import Expr, ImmutableMatrix, Matrix, S
+from sympy import Expr, S
 
 from ...algebra.reals.exact import Point, evaluate
-from ...algebra.reals.number_matrices import NotProvedError, exact, form_on, kernel, negative_squares, rank
+from ...algebra.reals.number_matrices import (
+    NotProvedError,
+    Numbers,
+    form_on,
+    kernel,
+    matrices_of,
+    negative_squares,
+    product,
+    rank,
+    stacked,
+)
 from ...mechanics.equilibrium.coadjoint_orbit import orbit_tangent
 from ...mechanics.equilibrium.derivation_ring import rows_at_point
 from ...mechanics.equilibrium.derived_once import once
@@ -16,6 +27,8 @@ from ...mechanics.equilibrium.standard_axes import placed
 from ...mechanics.scenes.kind import Kind
 from ..criteria.energy_casimir import restricted
 from ..criteria.linearization import linearize
+
+Rows: TypeAlias = Sequence[Sequence[Expr]]
 
 
 class Growing(NamedTuple):
@@ -58,41 +71,49 @@ def growing_at(eq: Equilibrium, numbers: Point) -> Growing:
     Motion (1961), in docs/explanation/derivations/damping.md, section 6.
     """
     try:
-        tangent, Q, J, rate = (m.applyfunc(lambda x: evaluate(x, numbers)) for m in _matrices(eq))
-        if any(x.is_finite is not True for m in (tangent, Q, J, rate) for x in m) or rank(tangent) < Q.rows:
-            # the basis was chosen for the family, and is none at these numbers
-            tangent, Q, J, rate = (m.applyfunc(lambda x: evaluate(x, numbers))
-                                   for m in _matrices(placed(eq, numbers)))
-        return _counted(Q, J, rate * tangent)
+        found = _at(_matrices(eq), numbers)
+        if found is None:                              # the basis of the family may be none here
+            found = _at(_matrices(placed(eq, numbers)), numbers)
+        return Growing(None, None) if found is None else _counted(*found)
     except NotProvedError:
         return Growing(None, None)
 
 
+def _at(matrices: tuple[Rows, ...], numbers: Point) -> list[Numbers] | None:
+    """Return Q, J and δω by the coordinates at numbers; None if the columns are no basis there."""
+    values = [[[evaluate(x, numbers) for x in row] for row in rows] for rows in matrices]
+    if any(x.is_finite is not True for rows in values for row in rows for x in row):
+        return None
+    tangent, Q, J, rate = matrices_of(*values)
+    return [Q, J, product(rate, tangent)] if rank(tangent) == len(values[1]) else None
+
+
 @once
-def _matrices(eq: Equilibrium) -> tuple[Matrix, ...]:
-    """Return a basis of the tangent space of the orbit, Q and J in it, and δω by the coordinates."""
+def _matrices(eq: Equilibrium) -> tuple[Rows, ...]:
+    """Return a basis of the tangent space of the orbit, Q and J in it, and δω by the coordinates, as rows."""
     tangent = orbit_tangent(eq)
-    found = (tangent, restricted(eq, (tangent, ()), eq.system.space.casimirs).matrix, linearize(eq).matrix,
-             ImmutableMatrix(_rate(eq)))
-    return tuple(Matrix(m).applyfunc(eq.insert) for m in found)
+    found = (tangent.tolist(), restricted(eq, (tangent, ()), eq.system.space.casimirs).matrix.tolist(),
+             linearize(eq).matrix.tolist(), _rate(eq))
+    return tuple([[eq.insert(x) for x in row] for row in rows] for rows in found)
 
 
-def _counted(Q: Matrix, J: Matrix, rate: Matrix) -> Growing:
+def _counted(Q: Numbers, J: Numbers, rate: Numbers) -> Growing:
     """Return what grows, by the matrices in a basis of the tangent space."""
-    rows = [rate * J]
-    while len(rows) < J.rows:
-        rows.append((rows[-1] * J).applyfunc(exact))
+    size = len(J.tolist())
+    rows = [product(rate, J)]
+    while len(rows) < size:
+        rows.append(product(rows[-1], J))
     # N is the unobservable subspace of C J, by Kalman's matrix; the kernel of Q lies in it
-    unreached = kernel(Matrix.vstack(*rows))
-    on, beyond = form_on(Q, unreached), form_on(Q, kernel((Q * unreached).T))
-    degenerate = Q.rows - rank(Q)
-    splits = on.rows - rank(on) == degenerate              # otherwise N is isotropic in part
+    unreached = kernel(stacked(rows))
+    on, beyond = form_on(Q, unreached), form_on(Q, kernel(product(Q, unreached).transpose()))
+    degenerate = size - rank(Q)
+    splits = len(on.tolist()) - rank(on) == degenerate              # otherwise N is isotropic in part
     negative, kept = negative_squares(beyond), negative_squares(on)
     if negative:
         return Growing(True, negative if splits and kept in (0, rank(on)) else None)
     # undamped on N, a regular J with an odd number of negative squares has a positive eigenvalue
     odd = not degenerate and negative_squares(Q) % 2
-    gyroscopic = splits and kept % 2 and rank(form_on(Q * J, unreached)) == rank(on)
+    gyroscopic = splits and kept % 2 and rank(form_on(product(Q, J), unreached)) == rank(on)
     return Growing(True if odd or gyroscopic else None, None)
 
 

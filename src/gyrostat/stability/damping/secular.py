@@ -8,6 +8,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import cache
 from itertools import chain
+from typing import TYPE_CHECKING
 
 from sympy import Add, Expr, Mul, S, Symbol
 
@@ -20,13 +21,17 @@ from ...mechanics.equilibrium.derivation_ring import signs_over
 from ...mechanics.equilibrium.derived_once import once
 from ...mechanics.equilibrium.equilibrium import Equilibrium
 from ...mechanics.equilibrium.standard_axes import seen, seen_at
+from ...notation import Stored
 from ..criteria.conditions import Criterion, independent
 from ..criteria.energy_casimir import SecondVariation, blocks, secular_variation
 from ..criteria.numbers_asked import left_open, names_in, names_needed, names_of_motion
-from ..criteria.three_criteria import across, secular_criterion, stiffness
+from ..criteria.three_criteria import across, in_names, secular_criterion, stiffness
 from ..criteria.truth import holds
 from ..decision import Decision, Rung, settled, undecided
 from ..notion import Notion
+
+if TYPE_CHECKING:
+    from ..criteria.closed_form import ClosedForm
 
 KEPT = "damping takes energy, which has a strict minimum on the orbit"
 LOST = "damping takes energy, which has no minimum on the orbit: the equilibrium becomes unstable"
@@ -37,7 +42,7 @@ KEEPS = settled(True, KEPT, Rung.SECOND_VARIATION, Notion.SECULAR, growing=0)
 
 
 @dataclass(frozen=True)
-class Secular:
+class Secular(Stored):
     """The second variation with the Casimirs alone, and what it says under internal damping.
 
     If it is positive definite, the equilibrium is stable, asymptotically on its orbit if the damping reaches
@@ -52,6 +57,8 @@ class Secular:
     Parameters
     ----------
     equilibrium : Equilibrium
+    expanded : bool
+        whether the criterion is written out however long it is; default False
 
     References
     ----------
@@ -61,6 +68,13 @@ class Secular:
     """
 
     equilibrium: Equilibrium
+    expanded: bool = False
+    _carried = "closed", "criterion", "compared", "required", "counted_by", "_coefficients", "exceptions"
+
+    @cached_property
+    def closed(self) -> "ClosedForm | None":
+        """The names in which the criterion is written, if it is too long to be written out; else None."""
+        return None if self.expanded else in_names(self.equilibrium)
 
     @cached_property
     def variation(self) -> SecondVariation:
@@ -73,6 +87,8 @@ class Secular:
 
         For a body of revolution that is recognised it is in the standard axes.
         """
+        if self.closed:
+            return self.closed.criterion(Notion.SECULAR)
         if known := seen(self.equilibrium):
             return replace(secular_of(known.equilibrium).criterion, modulo=known.modulo)
         return independent(secular_criterion(self.variation), self.equilibrium)
@@ -92,7 +108,7 @@ class Secular:
         group is () if it vanishes nowhere.
         """
         singular = Mul(*(block[-1] ** times for block, times in self._coefficients.items()))
-        values = (singular * self._rest if self.variation.modulo else singular, *self._torques)
+        values = (singular * self._rest if self.criterion.modulo else singular, *self._torques)
         signs = signs_over(self.equilibrium, values)
         groups = [(margin, *even) for margin, even in map(signs.normal_form, values)]
         degenerate, *torques = (tuple(e for e in group if e == 0 or e.free_symbols) for group in groups)
@@ -101,7 +117,7 @@ class Secular:
     @cached_property
     def compared(self) -> tuple[str, ...]:
         """The names in the criterion: without one of them there is no verdict."""
-        return names_needed(self.equilibrium, (self.criterion,))
+        return self.closed.required if self.closed else names_needed(self.equilibrium, (self.criterion,))
 
     @cached_property
     def required(self) -> tuple[str, ...]:
@@ -123,14 +139,15 @@ class Secular:
         return replace(found, reason=known.worded(found.reason), modulo=known.modulo)
 
     def _decided(self, numbers: Point, margins: dict[Expr, Expr]) -> Decision:
-        least = holds(self.criterion, numbers, margins)
+        at = self.closed.with_names(numbers) if self.closed else numbers
+        least = holds(self.criterion, at, margins)
         if least:
             return KEEPS
         if least is None:
             return undecided(NO_SIGN)
         if missing := left_open(self.counted_by, numbers):
             return undecided(f"give {', '.join(missing)} to decide")
-        counted = [([sign(c, numbers) for c in block], times)
+        counted = [([sign(c, at) for c in block], times)
                    for block, times in self._coefficients.items()]
         if any(None in signs for signs, _ in counted):
             return undecided(NO_SIGN)
@@ -148,7 +165,7 @@ class Secular:
     @cached_property
     def counted_by(self) -> tuple[str, ...]:
         """The names in what counts negative squares, and in what tells whether the damping reaches all."""
-        return names_in(chain(*self._coefficients, *self.exceptions))
+        return self.closed.required if self.closed else names_in(chain(*self._coefficients, *self.exceptions))
 
     @cached_property
     def _coefficients(self) -> Counter[tuple[Expr, ...]]:
@@ -156,6 +173,8 @@ class Secular:
 
         The blocks are those of the second variation, or of its part across k, or of K.
         """
+        if self.closed:
+            return Counter([(self.closed.named.trace, self.closed.named.determinant)])
         eq, K = self.equilibrium, stiffness(self.variation)
         if found := across(self.variation):
             return Counter([tuple(eq.insert(x) for _, _, x in found)])
@@ -192,7 +211,7 @@ class Secular:
         _, *torques = self.exceptions
         if all(any(sign(e, numbers) == 0 for e in torque) for torque in torques):
             return True
-        return bool(self.variation.modulo) and sign(self._rest, numbers) == 0
+        return bool(self.criterion.modulo) and sign(self._rest, numbers) == 0
 
     @property
     def _rest(self) -> Expr:

@@ -21,12 +21,14 @@ from ..criteria.conditions import Criterion, independent
 from ..criteria.energy_casimir import SecondVariation, second_variation
 from ..criteria.linearization import Linearization, linearize
 from ..criteria.numbers_asked import names_accepted, names_in, names_needed, names_of_motion
-from ..criteria.three_criteria import formal_criterion, spectral_criterion
+from ..criteria.three_criteria import formal_criterion, in_names, spectral_criterion
 from ..damping.secular import Secular, secular_of
 from ..deciders import Between
 from ..decision import Decision, Rung, settled
+from ..notion import Notion
 
 if TYPE_CHECKING:
+    from ..criteria.closed_form import ClosedForm
     from ..theorems.boundary import Boundary
     from ..theorems.drift import Drift
 
@@ -41,12 +43,22 @@ class Derived(Shown, Stored):
     Parameters
     ----------
     equilibrium : Equilibrium
+    expanded : bool
+        whether conditions are written out however long they are; default False
     """
 
     equilibrium: Equilibrium
+    expanded: bool = False
+    _carried = ("closed", "necessary", "sufficient", "recognised", "compared", "required", "parameters",
+                "secular")
 
     def __post_init__(self) -> None:
         require(self.equilibrium, Equilibrium, "the equilibrium")
+
+    @cached_property
+    def closed(self) -> "ClosedForm | None":
+        """The names in which conditions are written if they are too long to be written out; else None."""
+        return None if self.expanded else in_names(self.equilibrium)
 
     @cached_property
     def linearization(self) -> Linearization:
@@ -65,6 +77,8 @@ class Derived(Shown, Stored):
         It is modulo the same flows as the sufficient one: along them the linearised field has the eigenvalue
         0, so a growing mode is not in their direction.
         """
+        if self.closed:
+            return self.closed.criterion(Notion.SPECTRAL)
         if self.recognised:
             return replace(kept_of(self.recognised.equilibrium).necessary, modulo=self.recognised.modulo)
         return replace(independent(spectral_criterion(self.linearization), self.equilibrium),
@@ -73,6 +87,8 @@ class Derived(Shown, Stored):
     @cached_property
     def sufficient(self) -> Criterion:
         """The formal criterion with the Casimirs and the integrals, reduced to independent conditions."""
+        if self.closed:
+            return self.closed.criterion(Notion.FORMAL)
         if self.recognised:
             return replace(kept_of(self.recognised.equilibrium).sufficient, modulo=self.recognised.modulo)
         found = formal_criterion(self.second_variation)
@@ -106,7 +122,7 @@ class Derived(Shown, Stored):
         """The second variation under internal damping, and what it decides."""
         eq = self.equilibrium
         if not eq.system.coupled:
-            return secular_of(eq)
+            return Secular(eq, expanded=True) if self.expanded else secular_of(eq)
         return loaded("stability.damping.secular_two_directions:SecularInFrame")(eq)
 
     @cached_property
@@ -162,6 +178,8 @@ class Derived(Shown, Stored):
 
         It vanishes if and only if the second variation on the orbit is degenerate.
         """
+        if self.closed:
+            return self.closed.named.determinant, self.closed.required
         determinant = self.equilibrium.insert(self.linearization.coefficients[-1])
         margin, even = Signs.over([determinant], self.equilibrium.existence()).normal_form(determinant)
         factors = (margin, *even)
@@ -170,6 +188,8 @@ class Derived(Shown, Stored):
     @cached_property
     def compared(self) -> tuple[str, ...]:
         """The names in the two criteria: without one of them there is no verdict."""
+        if self.closed:
+            return self.closed.required
         return names_needed(self.equilibrium, (self.necessary, self.sufficient))
 
     @cached_property

@@ -1,22 +1,22 @@
 """The stability analysis of one equilibrium, and its verdicts at exact numbers."""
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 from sympy import Expr
 
+from ..._cached import cached_property
 from ..._lazy import loaded
 from ...algebra.reals.exact import Point
 from ...arguments import checked
 from ...errors import require
 from ..criteria.conditions import sources
 from ..criteria.number_notes import scene_note
-from ..criteria.numbers_asked import exact_values, refuse_any_direction
+from ..criteria.numbers_asked import exact_values, left_open, refuse_any_direction
 from ..decision import Decision, undecided, with_margins
 from ..ladder import Ladder
 
 if TYPE_CHECKING:
-    from ..criteria.closed_form import ClosedForm
     from ..normal_forms.d4_along_family import Window
     from ..normal_forms.normal_form import NormalForm
 
@@ -37,10 +37,10 @@ class Report(Ladder):
     ('I1', 'l', 'm0', 'pi3_0')
     """
 
-    @property
-    def closed(self) -> "ClosedForm | None":
-        """The names in which conditions of permanent rotations in any direction are written; else None."""
-        return None
+    @cached_property
+    def written_out(self) -> "Report":
+        """The report with its conditions written out, polynomials in the names of the family; or itself."""
+        return self if self.closed is None else replace(self, expanded=True)
 
     @property
     def along(self) -> "Report | None":
@@ -95,9 +95,14 @@ class Report(Ladder):
                decide: Callable[[Point, dict[Expr, Expr]], Decision]) -> Decision:
         """Return the decision of a decider at exact numbers, checked against the names that it needs."""
         numbers = exact_values(self.equilibrium, values, names, self.parameters)
+        return self._decided(numbers, scene_note(self.equilibrium.system, numbers), decide)
+
+    def _decided(self, numbers: Point, note: str,
+                 decide: Callable[[Point, dict[Expr, Expr]], Decision]) -> Decision:
+        """Return the decision of a decider at numbers that are checked, with a note on the scene."""
         margins: dict[Expr, Expr] = {}
         found = undecided(numbers.doubt) if numbers.doubt else decide(numbers, margins)
-        return with_margins(found, margins, scene_note(self.equilibrium.system, numbers),
+        return with_margins(found, margins, note,
                             sources(self.equilibrium, margins, (self.sufficient, self.necessary)))
 
     @checked
@@ -216,3 +221,17 @@ class Report(Ladder):
         ('STABLE', 'UNSTABLE')
         """
         return self._asked(values, self.compared, self.decide_point)
+
+
+def both_verdicts(report: Report, values: Mapping[str, Any]) -> tuple[Decision, Decision]:
+    """Return the verdict, and that under internal damping, at numbers that are checked once for both.
+
+    The second one may need more names; it is undecided if they are not given.
+    """
+    eq, secular = report.equilibrium, report.secular
+    numbers = exact_values(eq, values, report.compared, report.parameters)
+    note = scene_note(eq.system, numbers)
+    missing = ", ".join(left_open(secular.compared, numbers))
+    damped = (undecided(f"give {missing} to decide") if missing
+              else report._decided(numbers, note, secular.decide))
+    return report._decided(numbers, note, report.decide), damped

@@ -181,7 +181,7 @@ class Amended:
             above: dict[tuple[int, ...], Expr] = {}
             for orders, value in derivatives.items():
                 for axis in axes:
-                    if not any(orders[axis + 1:]):     # each product of derivatives in one order
+                    if value != 0 and not any(orders[axis + 1:]):  # each product of derivatives in one order
                         following = tuple(n + (m == axis) for m, n in enumerate(orders))
                         above[following] = (value.diff(DIRECTIONS[axis]) if potential.given
                                             else self._jet(following))

@@ -7,12 +7,12 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from itertools import chain
 
-from sympy import Add, Expr, Matrix, Mul, Rational, S, Symbol
+from sympy import Add, Expr, Mul, Rational, S, Symbol
 
 from ..._cached import cached_property
 from ..._display import Shown
 from ...algebra.reals.exact import evaluate, sign, sign_of_constant
-from ...algebra.reals.number_matrices import NotProvedError, rank
+from ...algebra.reals.number_matrices import NotProvedError, matrices_of, rank
 from ...algebra.rings.matrices import multiply
 from ...algebra.rings.polynomials import Ring, cancel, derivatives, lowest_terms
 from ...algebra.solving.margins import Signs
@@ -214,8 +214,8 @@ def drifts_along(eq: Equilibrium, found: Decision) -> Decision:
 
 def _solvable(rows: Sequence[Sequence[Expr]], right: Sequence[Expr]) -> bool:
     """Tell whether it is proved that linear equations at numbers have a solution."""
-    whole = Matrix([[*row, x] for row, x in zip(rows, right)])
+    whole, left = matrices_of([[*row, x] for row, x in zip(rows, right)], rows)
     try:
-        return rank(whole) == rank(whole[:, :-1])
+        return rank(whole) == rank(left)
     except NotProvedError:
         return False

@@ -3,7 +3,7 @@
 Its constants are computed once in enclosures; then times are reduced mod the period.
 """
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -16,12 +16,11 @@ from ...algebra.enclosures.precision import own_precision
 from ...algebra.text.numbers import exact_number
 from ...errors import ScopeError, ValuesError, require
 from ...mechanics.scenes.system import System
+from ..equidistant import filled
 from ..periods import double
 from .polhodes import Polhode, meeting, polhode
 from .repeated_turn import RepeatedTurn
 from .uniform_motion import CONSTANT, Steady, Triple, decided, steady
-
-BLOCK = 16384                                              # times at once, so that they fit a cache
 
 
 def path_of(inertia: Triple, rotor: Triple, M: Triple) -> Steady | Polhode | RepeatedTurn:
@@ -98,7 +97,11 @@ class FreeMotion:
 
     def state(self, t: Array) -> Array:
         """Return π at an array of times, along a last axis."""
-        return _in_blocks(self.path.values, t, (3,)) - self._rotor
+        def state(x: Array, t: Any) -> None:
+            x[:] = self.path.values(np.reshape(t, -1)).reshape(x.shape)
+            x -= self._rotor
+
+        return filled(state, np.asarray(t, dtype=float), (3,))
 
     @cached_property
     def _rotor(self) -> Array:
@@ -110,7 +113,10 @@ class FreeMotion:
 
         If M = 0, z is along ω. At the time 0 the Euler angle φ is 0.
         """
-        return _in_blocks(self.rotation.attitude, t, (3, 3))
+        def attitude(R: Array, t: Any) -> None:
+            R[:] = self.rotation.attitude(np.reshape(t, -1)).reshape(R.shape)
+
+        return filled(attitude, np.asarray(t, dtype=float), (3, 3))
 
     def ball_state(self, t: arb, bits: int) -> list[arb]:
         """Return π at a time, enclosures of about so many bits; estimated ones if a turn is integrated."""
@@ -145,11 +151,3 @@ class FreeMotion:
     def error(self) -> float:
         """The error of π, estimated."""
         return self.path.error * self.size
-
-
-def _in_blocks(values: Callable[[Array], Array], t: Array, shape: tuple[int, ...]) -> Array:
-    t = np.asarray(t, dtype=float)
-    found = np.empty((t.size, *shape))
-    for i in range(0, t.size, BLOCK):
-        found[i:i + BLOCK] = values(t.ravel()[i:i + BLOCK])
-    return found.reshape(*t.shape, *shape)

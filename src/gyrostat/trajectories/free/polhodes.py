@@ -5,6 +5,7 @@ The period of M in every free gyrostat follows from the elliptic curve of a penc
 from dataclasses import dataclass
 from functools import lru_cache
 from itertools import permutations
+from typing import Any
 
 import numpy as np
 from flint import arb
@@ -70,9 +71,12 @@ class Polhode:
         return [double(x) for x in constants(self, CONSTANT)]
 
     @cached_property
-    def _cycle(self) -> Twofold | None:
-        """The period in two doubles."""
-        return pair(self.period(CONSTANT)[0]) if self.periodic else None
+    def _half(self) -> Twofold | None:
+        """Half the period in two doubles; after it M_a and M_b have the other sign."""
+        if not self.periodic:
+            return None
+        whole = pair(self.period(CONSTANT)[0])
+        return Twofold(whole.high / 2, whole.low / 2)
 
     def values(self, t: Array) -> Array:
         """Return M at a row of times."""
@@ -80,11 +84,14 @@ class Polhode:
         if self.periodic and complement < SMALLEST:
             raise AccuracyError(f"m1 = {complement}: the motion is too near a separatrix for doubles; give "
                                 "other numbers, or a precision")
-        r = reduced(t, self._cycle)[1] if self._cycle else t
-        sn, cn, dn = jacobi(rate * r + phase, complement)
+        sign: Any = 1.0
+        if self._half:
+            n, t = reduced(t, self._half)
+            sign = 1 - 4 * np.abs(n / 2 - np.rint(n / 2))
+        sn, cn, dn = jacobi(rate * t + phase, complement)
         M = np.empty((len(t), 3))
-        for axis, size, part in zip(self.axes, sizes, (cn, sn, dn)):
-            M[:, axis] = size * part
+        for axis, size, part in zip(self.axes, sizes, (sign * cn, sign * sn, dn)):
+            np.multiply(size, part, out=M[:, axis])
         return M
 
     def at(self, t: arb, _: int, precision: int) -> list[arb]:

@@ -20,6 +20,7 @@ from ...algebra.rings.matrices import cross
 from ...algebra.text.numbers import shown
 from ...errors import AccuracyError, ValuesError
 from ...stability.criteria.amended_form import dot
+from ..circle import circle
 from ..periods import double, pair, turns
 
 Triple = tuple[Expr, Expr, Expr]
@@ -76,7 +77,7 @@ def turned(rows: Array, cycle: Array) -> Array:
     """Return Rz(2π cycle) R, at a row of cycles, from the rows x and z of R."""
     x, z = rows[:, :3], rows[:, 3:]
     y = np.cross(z, x)
-    c, s = np.cos(2 * np.pi * cycle)[:, None], np.sin(2 * np.pi * cycle)[:, None]
+    c, s = (part[:, None] for part in circle(cycle))
     return np.stack([c * x - s * y, s * x + c * y, z], axis=1)
 
 
@@ -118,9 +119,9 @@ class Steady:
         The vectors are given by their body components at the time 0; the times are a row.
         """
         _, _, n, _, cycle = self.constants
-        angle = 2 * np.pi * turns(t, cycle)[:, None, None]
+        cosine, sine = (part[:, None, None] for part in circle(turns(t, cycle)))
         along = (vectors @ n)[:, None] * n
-        return along + np.cos(angle) * (vectors - along) + np.sin(angle) * np.cross(vectors, n)
+        return along + cosine * (vectors - along) + sine * np.cross(vectors, n)
 
     def values(self, t: Array) -> Array:
         """Return M at a row of times."""

@@ -4,6 +4,7 @@ What the scene conserves is a check of both.
 """
 import math
 from collections.abc import Sequence
+from functools import lru_cache
 from importlib.util import find_spec
 from typing import Any
 
@@ -15,10 +16,12 @@ from ...algebra.enclosures.floats import Array, in_floats
 from ...errors import AccuracyError, ArgumentError, ScopeError, ValuesError
 from ...mechanics.scenes.lie_poisson import hat
 from ...mechanics.scenes.system import System
-from .integrators import METHODS, RungeKutta, Taylor, beside, beyond, nearest
+from ..periods import nearest
+from .integrators import METHODS, Rates, RungeKutta, Taylor, beside, beyond
 
 # the error that is accepted if no tolerance is given
 WORTHLESS = 1e-3
+MARKER = tuple(Dummy(f"a{i}") for i in (1, 2, 3))      # a vector that shows how the body is turned
 
 
 class Integration:
@@ -88,11 +91,7 @@ class Integration:
             raise ArgumentError(f"method = {method!r} is not known: use {' or '.join(METHODS)}, "
                                 "or None")
         self.scene, self.tolerance, self.error = scene, WORTHLESS if tolerance is None else tolerance, 0.0
-        marker = tuple(Dummy(f"a{i}") for i in (1, 2, 3))
-        # ȧ = a × ω: a is at rest in space, or in the frame of two directions, of which it is the second
-        turning = hat(marker) * scene.energy_gradient[:3, :]
-        rates = list(zip((*scene.space.coordinates, *marker), (*scene.vector_field(), *turning)))
-        kind = METHODS[self.name]
+        rates, kind = _rates(scene), METHODS[self.name]
         self._kept = scene.hamiltonian, *scene.space.casimirs, *scene.integrals_at(state)
         self._runs: list[Taylor | RungeKutta] = []
         for rounding, accuracy in ((nearest, kind.FINE), (beside, kind.COARSE)):
@@ -196,6 +195,16 @@ class Integration:
                 raise beyond(times[~np.isfinite(value[1:])][0])
             least = np.maximum(least, np.abs(value - value[0])[1:] / (slope or math.inf))
         return least
+
+
+@lru_cache(maxsize=64)
+def _rates(scene: System) -> Rates:
+    """Return the equations of motion, and ȧ = a × ω of a vector at rest in space.
+
+    In two directions it is at rest in their frame, the second of them.
+    """
+    turning = hat(MARKER) * scene.energy_gradient[:3, :]
+    return tuple(zip((*scene.space.coordinates, *MARKER), (*scene.vector_field(), *turning)))
 
 
 def _across(z: Array) -> Array:

@@ -2,7 +2,8 @@
 import math
 import operator
 from collections.abc import Callable, Mapping, Sequence
-from functools import partial, reduce
+from copy import copy
+from functools import lru_cache, partial, reduce
 from typing import Any
 
 import numpy as np
@@ -12,14 +13,10 @@ from ...algebra.enclosures.arithmetic import Arithmetic, in_arithmetic
 from ...algebra.enclosures.floats import Array
 from ...algebra.text.bounded_parts import FUNCTIONS
 from ...errors import AccuracyError, ScopeError, optional
+from ..periods import nearest
 
-Rates = Sequence[tuple[Symbol, Expr]]
+Rates = tuple[tuple[Symbol, Expr], ...]
 Rounding = Callable[[Expr], float]
-
-
-def nearest(number: Expr) -> float:
-    """Return the double next to a number."""
-    return float(number)
 
 
 def beside(number: Expr) -> float:
@@ -27,7 +24,7 @@ def beside(number: Expr) -> float:
 
     That is as bad a rounding, and another.
     """
-    value = float(number)
+    value = nearest(number)
     return value if Rational(value) == number else math.nextafter(value, math.inf)
 
 
@@ -87,18 +84,20 @@ def floats(values: Mapping[Symbol, Callable[[Sequence[float]], float]], rounding
 
 
 class Taylor:
-    """The adaptive Taylor method of heyoka: the order follows from the tolerance."""
+    """The adaptive Taylor method of heyoka: the order follows from the tolerance.
+
+    Numbers are parameters of its code, so that it is compiled once for all bodies in equations of one form.
+    """
 
     FINE, COARSE = 2.0**-52, 2.0**-40
 
     def __init__(self, rates: Rates, start: Array, rounding: Rounding, tolerance: float):
-        heyoka = optional("heyoka", "heyoka")
-        names = {s: heyoka.make_vars(f"x{i}") for i, (s, _) in enumerate(rates)}
-        arithmetic = integrable(names, lambda c: heyoka.expression(rounding(c)), operator.add, operator.mul,
-                                operator.pow, lambda name: getattr(heyoka, name))
-        system = [(names[s], in_arithmetic(rate, arithmetic)) for s, rate in rates]
-        self.start, self.steps, self.limit = start, 0, heyoka.taylor_outcome.time_limit
-        self.integrator = heyoka.taylor_adaptive(system, list(start), tol=tolerance)
+        system, numbers = _with_parameters(rates)
+        self.start, self.steps = start, 0
+        self.limit = optional("heyoka", "heyoka").taylor_outcome.time_limit
+        self.integrator = copy(_compiled(system, tolerance))
+        self.integrator.pars[:] = [rounding(x) for x in numbers]
+        self.restart()
 
     @property
     def time(self) -> float:
@@ -120,6 +119,31 @@ class Taylor:
             raise beyond(time)
         self.steps += steps
         return values[ahead:]
+
+
+@lru_cache(maxsize=64)
+def _with_parameters(rates: Rates) -> tuple[Any, tuple[Expr, ...]]:
+    """Return equations of motion in heyoka's expressions, and the numbers in them, its parameters."""
+    heyoka = optional("heyoka", "heyoka")
+    names = {s: heyoka.make_vars(f"x{i}") for i, (s, _) in enumerate(rates)}
+    numbers: dict[Expr, int] = {}
+
+    def parameter(number: Expr) -> Any:
+        if number in (1, -1):                              # nothing is multiplied
+            return heyoka.expression(float(number))
+        return heyoka.par[numbers.setdefault(number, len(numbers))]
+
+    arithmetic = integrable(names, parameter, operator.add, operator.mul, operator.pow,
+                            lambda name: getattr(heyoka, name))
+    system = tuple((names[s], in_arithmetic(rate, arithmetic)) for s, rate in rates)
+    return system, tuple(numbers)
+
+
+@lru_cache(maxsize=64)
+def _compiled(system: Any, tolerance: float) -> Any:
+    """Return heyoka's integrator of equations with parameters, to be copied."""
+    heyoka = optional("heyoka", "heyoka")
+    return heyoka.taylor_adaptive(list(system), [0.0] * len(system), tol=tolerance)
 
 
 class RungeKutta:

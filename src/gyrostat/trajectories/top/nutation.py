@@ -93,7 +93,7 @@ class Nutation:
         u : float or array
             abs(u) ≤ K
         half : pair of floats or arrays
-            sine and cosine of π u/2K, if there are landen steps
+            cosine and sine of π u/2K, if there are landen steps
 
         Returns
         -------

@@ -11,11 +11,12 @@ from ..._cached import cached_property
 from ...algebra.enclosures.double_double import Twofold
 from ...algebra.enclosures.floats import Array
 from ...algebra.enclosures.precision import own_precision
+from ..circle import circle
 from ..periods import double, pair, reduced, turns
 from .cayley_klein import Forms, momentum, product, rotation, valued
 from .nutation import Squares
 from .precession import Precession
-from .series_integrals import Place
+from .series_integrals import Curve, Place
 
 REST = Squares(1.0, 0.0, 0.0, 0.0)                         # if k3 does not move
 
@@ -53,6 +54,11 @@ class Doubles:
             self.period = None if whole is None else pair(2 * whole * self.integrals.means[0])
 
     @cached_property
+    def turning(self) -> Curve:
+        """The smooth part of φ, in radians."""
+        return self.integrals.curve([0, 1, 1])
+
+    @cached_property
     def precession(self) -> "Angle":
         """The angle φ."""
         return Angle(self.exact, 1)
@@ -72,7 +78,7 @@ class Doubles:
             more = np.rint(r / self.period.high)
             n, u = n + more, self.integrals.inverse(r - more * self.period.high)
         half = self.integrals.half(u)
-        place = self.integrals.place(u, half)
+        place = self.integrals.place(u)
         rest = self.start - self.integrals.time.bounded(place) if self.period is None else None
         path = self.parts.path
         return Moment(t, n, u, rest, place, REST if path is None else path.squares(u, half))
@@ -85,11 +91,10 @@ class Doubles:
         """Enter (π, k) at times, numbers or a row, into an array that has it along the last axis."""
         moment = self.moment(t)
         squares, place = moment.squares, moment.place
-        unit = self.spin.unit(moment)
-        across = valued(self.forms.across, squares)
+        unit, across = self.spin.unit(moment), valued(self.forms.across, squares)
         speed = self.I1 / (self.integrals.time.mean if self.integrals.constant[0]
                            else self.integrals.time.rate(place))
-        p = momentum(self.forms, across, squares.turn, self.precession.curve.rate(place))
+        p = momentum(self.forms, across, squares.turn, self.turning.rate(place))
         k1, k2 = product(across, unit)
         p1, p2 = product(p, unit)
         x[..., 0], x[..., 1], x[..., 2] = 0 - speed * p2, speed * p1, self.pi3         # times √−1, no −0
@@ -104,7 +109,7 @@ class Doubles:
 
 
 class Angle:
-    """The angle φ or −ψ, without the parts that the products of the Cayley-Klein parameters have.
+    """The angle φ or −ψ in turns, without the parts that the products of the Cayley-Klein parameters have.
 
     Parameters
     ----------
@@ -115,9 +120,9 @@ class Angle:
 
     def __init__(self, exact: Precession, side: int):
         integrals, (first, second) = exact.integrals, exact.factors
-        self.curve = integrals.curve([0, side, 1])
         with own_precision(exact.precision):
             turn = 2 * arb.pi()
+            self.curve = integrals.curve([0, side, 1], turn)
             time, mean = integrals.means[0], integrals.means[2] + side * integrals.means[1]
             jump, step = integrals.jumps[0], integrals.jumps[2] + side * integrals.jumps[1]
             factor = second * (first if side > 0 else first.conjugate())
@@ -133,17 +138,14 @@ class Angle:
 
     def unit(self, moment: Moment) -> tuple[Any, Any]:
         """Return cosine and sine of the angle."""
-        smooth = self.curve.bounded(moment.place)
         if self.whole is not None:
-            cycles, smooth = turns(moment.n, self.whole), smooth + self.curve.mean * moment.u
+            cycles = turns(moment.n, self.whole) + self.curve.mean * moment.u
         else:
             before, after = (turns(moment.t, rate) + rate.high * moment.rest for rate in self.ends)
             cycles = np.where(moment.u > 0, after, before)
-        cycles = cycles + self.start
         if self.axial is not None:
             cycles = cycles + turns(moment.t, self.axial)
-        angle = 2 * np.pi * (cycles - np.rint(cycles)) + smooth
-        return np.cos(angle), np.sin(angle)
+        return circle(cycles + self.start + self.curve.bounded(moment.place))
 
 
 def _argument(z: acb) -> arb:

@@ -9,6 +9,7 @@ from flint import arb
 from ..._cached import cached_property
 from ...algebra.enclosures.floats import Array
 from ...algebra.enclosures.precision import own_precision
+from ..circle import circle
 from ..periods import double
 
 # the most steps of Newton's method; the u at which a function has reached its limit in doubles
@@ -90,10 +91,10 @@ class Integrals:
         """Whether each of the functions is a constant."""
         return [all(x == 0 for x in (*row, jump)) for row, jump in zip(self.series, self.jumps)]
 
-    def curve(self, weights: Sequence[int]) -> Curve:
-        """Return a sum of the integrals in doubles, each so many times."""
+    def curve(self, weights: Sequence[int], unit: arb | int = 1) -> Curve:
+        """Return a sum of the integrals in doubles, each so many times, in a unit."""
         with own_precision(ROUNDED):
-            mean, jump, *terms = (double(sum((n * x for n, x in zip(weights, column)), arb(0)))
+            mean, jump, *terms = (double(sum((n * x for n, x in zip(weights, column)), arb(0)) / unit)
                                   for column in (self.means, self.jumps, *zip(*self.series)))
             if self.quarter is None:
                 slopes = np.polynomial.chebyshev.chebder(terms).tolist()
@@ -108,21 +109,19 @@ class Integrals:
 
     @cached_property
     def rate(self) -> float:
-        """The rate π/2K, 0 at infinity."""
+        """The rate 1/2K, 0 at infinity."""
         with own_precision(ROUNDED):
-            return 0.0 if self.quarter is None else double(arb.pi() / (2 * self.quarter))
+            return 0.0 if self.quarter is None else double(1 / (2 * self.quarter))
 
     def half(self, u: Any) -> tuple[Any, Any] | None:
-        """Return sine and cosine of π u/2K; None at infinity."""
-        return (np.sin(self.rate * u), np.cos(self.rate * u)) if self.rate else None
+        """Return cosine and sine of π u/2K; None at infinity."""
+        return circle(self.rate / 2 * u) if self.rate else None
 
-    def place(self, u: Any, half: tuple[Any, Any] | None) -> Place:
-        """Return the place where curves are summed for u, numbers or arrays, from what half says of it."""
-        if half is None:
+    def place(self, u: Any) -> Place:
+        """Return the place where curves are summed for u, numbers or arrays."""
+        if not self.rate:
             return Place(np.tanh(u / 2), 2 * (np.log1p(np.exp(-np.abs(u))) - np.log(2.0)))
-        sine, cosine = half
-        # the cosine of twice the angle: cos² − sin² would be off by more where the series is steep
-        return Place(np.cos(2 * self.rate * u), 2 * sine * cosine)
+        return Place(*circle(self.rate * u))               # from the half angle it would be off by more
 
     def at(self, u: arb) -> tuple[list[arb], list[arb]]:
         """Return the integrals, linear parts included, and the functions, in balls."""
@@ -160,7 +159,7 @@ class Integrals:
         grid, known = self._grid
         u, moving = np.interp(values, known, grid), True
         for _ in range(MOST_STEPS):
-            place = self.place(u, self.half(u))
+            place = self.place(u)
             gained = (time.mean + time.jump * np.sign(u)) * u + time.bounded(place)
             step = (gained - values) / time.rate(place) * moving
             u = u - step
@@ -175,7 +174,7 @@ class Integrals:
         end = FAR if self.quarter is None else double(self.quarter)
         time = self.time
         grid = np.linspace(-end, end, 8 * len(self.series[0]) + 64) * np.sign(time.mean)
-        bounded = time.bounded(self.place(grid, self.half(grid)))
+        bounded = time.bounded(self.place(grid))
         return grid, time.mean * grid + time.jump * np.abs(grid) + bounded
 
 

@@ -2,21 +2,18 @@
 
 k3 moves by elliptic functions, the two angles by series.
 """
-from collections.abc import Callable
 from typing import Any
 
-import numpy as np
 from flint import arb
 
 from ..._cached import cached_property
 from ...algebra.enclosures.floats import Array
 from ...algebra.enclosures.precision import own_precision
+from ..equidistant import filled
 from ..periods import double
 from .level import Level, enclosed, known
 from .precession import precession
 from .precession_in_doubles import Doubles
-
-BLOCK = 8192                                               # times at once, so that they fit a cache
 
 
 class AxialMotion:
@@ -44,11 +41,11 @@ class AxialMotion:
 
     def state(self, t: Array) -> Array:
         """Return (π, k) at times of any shape, shape (..., 6)."""
-        return _in_blocks(self._doubles.state, t, (6,))
+        return filled(self._doubles.state, t, (6,))
 
     def attitude(self, t: Array) -> Array:
         """Return R from body to space, shape (..., 3, 3)."""
-        return _in_blocks(self._doubles.attitude, t, (3, 3))
+        return filled(self._doubles.attitude, t, (3, 3))
 
     def ball_state(self, t: arb, _: int) -> list[arb]:
         """Return (π, k) at a time, to as many bits as the motion was built for."""
@@ -109,15 +106,3 @@ class AxialMotion:
             largest = max(across + [abs(double(enclosed(x))) for x in parts.level.numbers[3:]])
         fastest = max(across + [abs(double(x)) for x in parts.momenta]) / double(parts.I1)
         return 2.0**-52 * (4 + (self.period or 0.0) * fastest) * max(1.0, largest)
-
-
-def _in_blocks(fill: Callable[[Array, Any], None], t: Array, shape: tuple[int, ...]) -> Array:
-    """Return what is filled in at times of any shape; one time is a number."""
-    found = np.empty((*t.shape, *shape))
-    if t.ndim == 0:
-        fill(found, t[()])
-        return found
-    rows, times = found.reshape(-1, *shape), t.ravel()
-    for first in range(0, times.size, BLOCK):
-        fill(rows[first:first + BLOCK], times[first:first + BLOCK])
-    return found

@@ -40,7 +40,7 @@ class Tiles:
     @cached_property
     def operands(self) -> list[int]:
         """The steps that the work at each point starts from: those that vary along fewer axes, and leaves."""
-        used = {i for i, step in self.inner for i in step.arguments}
+        used = {*(i for _, step in self.inner for i in step.arguments), *self.program.outcomes}
         return sorted(i for i in used if not self.whole[i] or not self.program.steps[i].arguments)
 
     @cached_property

@@ -7,7 +7,7 @@ import shutil
 import sys
 import tempfile
 import time
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from functools import lru_cache
 from pathlib import Path
 from types import ModuleType
@@ -21,7 +21,8 @@ from ..grids import Slices
 from .straightline import Step
 from .tiles import Tiles
 
-SIGN = "({0} > bound) - ({0} < -bound)"                    # the sign of a value {0}, 0 if it is not proved
+SIGN = "1 if {0} > e0 else -1 if {0} < -e0 else 0"         # of a value {0}, 0 if it is not proved
+RUN = 256                                                  # points for which one stage is done at a time
 _SYMBOLS = {"add": "+", "subtract": "-", "multiply": "*"}
 
 
@@ -31,44 +32,65 @@ class Kernel:
     Parameters
     ----------
     tiles : Tiles
-    finish : str
-        the expression that is written for the value {0}, such as "{0} > 0"
+    stages : sequence of str
+        expressions that are written for the results {0}, {1}, … of the program and their bounds e0, e1, …,
+        such as "{0} > e0"; each is computed in runs of points where the one before has left something open
     spent : list
         gets the seconds of a compilation, or of reading it from disk, with the first block
+    left : int
+        what a stage writes where the next one is to decide
     """
 
-    def __init__(self, tiles: Tiles, finish: str, spent: list[float]):
-        self.tiles, self.finish, self.spent = tiles, finish, spent
+    def __init__(self, tiles: Tiles, stages: Sequence[str], spent: list[float], left: int = 0):
+        self.tiles, self.stages, self.spent, self.left = tiles, stages, spent, left
         self.functions: dict[str, Any] = {}
 
-    def __call__(self, block: Slices, out: Array, bound: float = 0.0) -> None:
+    def __call__(self, block: Slices, out: Array, bounds: Sequence[float] = ()) -> None:
         """Write a block of results."""
         operands = [self.tiles.small(i, block) for i in self.tiles.operands]
         kinds = "".join(map(_kind, operands))
         if kinds not in self.functions:
-            self.functions[kinds] = function_of(self._source(kinds))
+            self.functions[kinds] = function_of(self._source(kinds, len(bounds)))
         function = self.functions[kinds]
         given = [_given(a, kind) for a, kind in zip(operands, kinds)]
         into = out if out.flags.c_contiguous else np.empty(out.shape, dtype=out.dtype)
         known, begin = len(function.overloads), time.perf_counter()
-        function(*given, bound, into)
+        function(*given, *bounds, into)
         if len(function.overloads) > known:
             self.spent.append(time.perf_counter() - begin)
         if into is not out:
             out[...] = into
 
-    def _source(self, kinds: str) -> str:
-        tiles = self.tiles
-        read = {"s": "a{0}", "r": "r{0}", "c": "a{0}[j]", "f": "b{0}[j]"}
-        names = {i: read[kind].format(i) for i, kind in zip(tiles.operands, kinds)}
-        before = [f"        {kind if kind == 'r' else 'b'}{i} = a{i}[i]"
-                  for i, kind in zip(tiles.operands, kinds) if kind in "rf"]
-        lines = [f"            {line}" for line in assignments(tiles.inner, names, "x")]
-        final = self.finish.format(names[tiles.inner[-1][0]])
-        return "\n".join([f"def kernel({', '.join(f'a{i}' for i in tiles.operands)}, bound, out):",
-                          "    for i in range(out.shape[0]):", "        row = out[i]", *before,
-                          "        for j in range(out.shape[1]):", *lines, f"            row[j] = {final}",
-                          ""])
+    def _source(self, kinds: str, bounds: int) -> str:
+        operands = [*zip(self.tiles.operands, kinds)]
+        read = {"s": "a{0}", "r": "r{0}", "c": "c{0}[j]", "f": "c{0}[j]"}
+        names = {i: read[kind].format(i) for i, kind in operands}
+        # slices let the loops over a run be vectorised: their places begin at 0
+        row = [f"r{i} = a{i}[i]" for i, kind in operands if kind == "r"]
+        run = [f"c{i} = a{i}[{'i, ' if kind == 'f' else ''}start:start + RUN]" for i, kind in operands
+               if kind in "cf"]
+        loops: list[str] = []
+        for stage in self.stages:
+            loop = ["for j in range(part.shape[0]):", *(f"    {line}" for line in self._stage(stage, names))]
+            loops += loop if not loops else [
+                "left = False", "for j in range(part.shape[0]):", f"    left |= part[j] == {self.left}",
+                "if left:", *(f"    {line}" for line in loop)]
+        arguments = [*(f"a{i}" for i, _ in operands), *(f"e{n}" for n in range(bounds)), "out"]
+        return "\n".join([f"RUN = {RUN if len(self.stages) > 1 else 2**62}",
+                          f"def kernel({', '.join(arguments)}):", "    for i in range(out.shape[0]):",
+                          *(f"        {line}" for line in row),
+                          "        for start in range(0, out.shape[1], RUN):",
+                          "            part = out[i, start:start + RUN]",
+                          *(f"            {line}" for line in (*run, *loops)), ""])
+
+    def _stage(self, stage: str, operands: dict[int, str]) -> list[str]:
+        """Return what is done at each point for one stage."""
+        program, names = self.tiles.program, dict(operands)
+        results = program.outcomes
+        used = {result for n, result in enumerate(results) if f"{{{n}}}" in stage}
+        needed = program.needed(used)
+        lines = assignments([(i, step) for i, step in self.tiles.inner if i in needed], names, "x")
+        return [*lines, f"part[j] = {stage.format(*(names.get(i, '') for i in results))}"]
 
 
 def assignments(steps: Iterable[tuple[int, Step]], names: dict[int, str], letter: str) -> list[str]:

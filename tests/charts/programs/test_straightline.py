@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from sympy import Integer, Rational, chebyshevt, exp, sqrt
 
 import gyrostat as gs
-from gyrostat.charts.signs.straightline import program_of
+from gyrostat.charts.programs.straightline import program_of
 
 k3, x, y, z = map(gs.symbol, ("k3", "x", "y", "z"))
 SIX = sum(gs.symbol(f"a{n}") * k3**n for n in range(1, 7))

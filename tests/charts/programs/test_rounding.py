@@ -26,8 +26,8 @@ from hypothesis import assume, example, given
 from hypothesis import strategies as st
 from sympy import Add, Integer, Mul, Rational
 
-from gyrostat.charts.signs.rounding import SLACK, UNIT, error_bound, rounded
-from gyrostat.charts.signs.straightline import Program, Step, program_of
+from gyrostat.charts.programs.rounding import SLACK, UNIT, error_bound, rounded
+from gyrostat.charts.programs.straightline import Program, Step, program_of
 
 positive = st.integers(1, 2**60)
 

@@ -9,7 +9,7 @@ import pytest
 from charts.drawn_margins import drawn
 
 import gyrostat as gs
-from gyrostat.charts.signs import kernels
+from gyrostat.charts.programs import kernels
 from gyrostat.charts.signs.compiled_margins import compile_margin
 from gyrostat.errors import MissingExtraError
 

@@ -8,8 +8,8 @@ from hypothesis import example, given
 from hypothesis import strategies as st
 from sympy import Integer
 
-from gyrostat.charts.signs.rounding import LARGEST, SMALLEST, error_bound
-from gyrostat.charts.signs.straightline import Program, Step, program_of
+from gyrostat.charts.programs.rounding import LARGEST, SMALLEST, error_bound
+from gyrostat.charts.programs.straightline import Program, Step, program_of
 
 
 @pytest.mark.parametrize("computed", [False, True])

@@ -22,10 +22,11 @@ def error_bound(program: Program, magnitudes: Mapping[Expr, Magnitude], rounding
                 computed: Sequence[Magnitude] | None = None) -> Magnitude:
     """Return e such that abs(value in doubles − exact value) < e, if no leaf is larger than its magnitude.
 
-    Each step is x̂ with abs(x̂ − x) ≤ n u M + A η: u = 2⁻⁵³, η = 2⁻¹⁰⁷⁴, M the same step with all signs
-    positive, n the number of roundings on the longest way, A what underflow adds. A sum of two takes the
-    larger n and one more, a product both and two more (the second for the product of the errors); a product
-    may underflow by η, a sum never does. If M may pass 2¹⁰⁰⁰ there is no bound, e = ∞.
+    The value is the last result of the program. Each step is x̂ with abs(x̂ − x) ≤ n u M + A η: u = 2⁻⁵³, η =
+    2⁻¹⁰⁷⁴, M the same step with all signs positive, n the number of roundings on the longest way, A what
+    underflow adds. A sum of two takes the larger n and one more, a product both and two more (the second for
+    the product of the errors); a product may underflow by η, a sum never does. If M may pass 2¹⁰⁰⁰ there is
+    no bound, e = ∞.
 
     Parameters
     ----------
@@ -50,12 +51,18 @@ def error_bound(program: Program, magnitudes: Mapping[Expr, Magnitude], rounding
     Examples
     --------
     >>> import gyrostat as gs
-    >>> from gyrostat.charts.signs.straightline import program_of
+    >>> from gyrostat.charts.programs.straightline import program_of
     >>> x, y = gs.symbol("x"), gs.symbol("y")
     >>> program = program_of(x**2 - y, {})
     >>> bool(2.0**-51 < error_bound(program, {x: 1.0, y: 1.0}, {}) < 2.0**-49)
     True
     """
+    return error_bounds(program, magnitudes, roundings, computed)[-1]
+
+
+def error_bounds(program: Program, magnitudes: Mapping[Expr, Magnitude], roundings: Mapping[Expr, int],
+                 computed: Sequence[Magnitude] | None = None) -> list[Magnitude]:
+    """Return the bounds of all results of a program, as error_bound does for the last."""
     sizes: list[Magnitude] = []
     counts: list[int] = []
     tiny: list[Magnitude] = []
@@ -88,8 +95,9 @@ def error_bound(program: Program, magnitudes: Mapping[Expr, Magnitude], rounding
             tiny.append(lost)
             relative.append(own)
             largest = np.maximum(largest, size)
-        bound = counts[-1] * UNIT * SLACK * sizes[-1] + (4 * tiny[-1] + 4) * SMALLEST
-        return np.where(largest < LARGEST, bound, np.inf)
+        bounds = (counts[i] * UNIT * SLACK * sizes[i] + (4 * tiny[i] + 4) * SMALLEST
+                  for i in program.outcomes)
+        return [np.where(largest < LARGEST, bound, np.inf) for bound in bounds]
 
 
 def rounded(value: Any) -> tuple[float, int]:

@@ -12,8 +12,8 @@ from hypothesis.extra import numpy as arrays
 
 import gyrostat as gs
 from gyrostat.charts.grids import cut, grid_of
-from gyrostat.charts.signs.straightline import program_of
-from gyrostat.charts.signs.tiles import Tiles
+from gyrostat.charts.programs.straightline import program_of
+from gyrostat.charts.programs.tiles import Tiles
 
 NAMES = ("I1", "I3", "k3", "l", "omega")
 SYMBOLS = dict(zip(NAMES, map(gs.symbol, NAMES)))
