@@ -37,6 +37,7 @@ def test_the_same_zeros_as_by_the_quotient_algebra(degrees):
         for zero in wanted:
             (same,) = [z for z in found if all(a.overlaps(b) for a, b in zip(z.balls(192), zero.balls(192)))]
             assert tuple(same) == tuple(zero)
+            assert [same.is_fraction(n) for n in range(4)] == [zero.is_fraction(n) for n in range(4)]
         with own_precision(192):
             assert all(x.rad() < 1e-40 for z in found for x in z.balls(192))
 

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable, Sequence
 from itertools import pairwise
 from math import prod
 
-from flint import arb, fmpq_mpoly, fmpq_poly
+from flint import arb, arb_poly, fmpq_mpoly, fmpq_poly
 from sympy import Expr, S
 
 from ..._cached import cached_property
@@ -134,14 +134,33 @@ class OppositeZeros(RealNumbers):
         return list(self._found())
 
     def expression(self, root: int, place: int) -> Expr:
-        """Return one of the numbers of a zero: of the exact zero that has the same enclosures."""
+        """Return one of the numbers of a zero as an expression."""
+        return self._same(root)[place]
+
+    def is_fraction(self, root: int, place: int) -> bool:
+        """Tell whether one of the numbers of a zero is a fraction."""
+        own = self._factors[root]
+        if len(own) == 1 and self.varies(place, [n for n, x in enumerate(self._factors) if x == own]):
+            return False
+        return self._same(root).is_fraction(place)
+
+    @cached_property
+    def _factors(self) -> list[list[int]]:
+        """The irreducible factors that may vanish at each root y; one of them does."""
+        factors = [f for f, _ in self._met.simple.factor()[1]]
+        with own_precision(BITS):
+            return [[m for m, f in enumerate(factors) if arb_poly(f)(y).contains(0)]
+                    for _, y in self._met.points(BITS)]
+
+    def _same(self, root: int) -> FieldNumbers:
+        """Return the exact zero that has the same enclosures."""
         for precision in doubled(BITS):
             values = self.values(precision)[root]
             same = [zero for zero in self._exact
                     if all(a.overlaps(b) for a, b in zip(values, zero.balls(precision)))]
             if len(same) == 1:
                 break
-        return same[0][place]
+        return same[0]
 
 
 def _value(f: Terms, k: Sequence[arb]) -> arb:

@@ -27,6 +27,15 @@ class RealNumbers:
         """Return one number of one list as an expression."""
         raise NotImplementedError
 
+    def is_fraction(self, root: int, place: int) -> bool:
+        """Tell whether one number of one list is a fraction."""
+        raise NotImplementedError
+
+    def varies(self, place: int, conjugate: Sequence[int]) -> bool:
+        """Tell whether a number is proved to have two sizes in conjugate lists: then it is no fraction."""
+        sizes = [abs(self.values(BITS)[root][place]) for root in conjugate]
+        return any(not x.overlaps(sizes[0]) for x in sizes)
+
 
 class Conjugates(RealNumbers):
     """The real roots of an irreducible polynomial, and the values of quotients top/under at them.
@@ -86,6 +95,12 @@ class Conjugates(RealNumbers):
         tops, under = self.short
         return at_root(tops[place], self.exact[root]) / at_root(under, self.exact[root])
 
+    def is_fraction(self, root: int, place: int) -> bool:
+        """Tell whether one of the quotients is a fraction; then it is so at every root."""
+        tops, slope = self.short
+        degree = slope.degree()
+        return tops[place] * slope[degree] == slope * tops[place][degree]
+
 
 class FieldNumbers(Sequence[Expr]):
     """One of several lists of real numbers: a sequence of expressions, each made when it is asked for.
@@ -120,9 +135,8 @@ class FieldNumbers(Sequence[Expr]):
 
     def is_fraction(self, n: int) -> bool:
         """Whether a number is a fraction; a factor that is none is taken as if it made one."""
-        tops, slope = self.conjugates.short
-        (place, factor), degree = self.places[n], slope.degree()
-        return not isinstance(factor, Rational) or tops[place] * slope[degree] == slope * tops[place][degree]
+        place, factor = self.places[n]
+        return not isinstance(factor, Rational) or self.conjugates.is_fraction(self.root, place)
 
     def __reduce__(self) -> tuple[Any, ...]:
         return tuple, (tuple(self),)                       # python-flint's polynomials are not pickled

@@ -74,7 +74,7 @@ class HeavyForm(Form):
     @property
     def described(self) -> tuple[tuple[str | Expr, Any], ...]:
         """The direction k and omega, which tell it from others."""
-        return ("k", tuple(self.k)), (symbol("omega"), self.omega)
+        return ("k", self.k), (symbol("omega"), self.omega)
 
     @cached_property
     def point(self) -> tuple[Expr, ...]:

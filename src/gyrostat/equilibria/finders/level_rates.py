@@ -85,6 +85,13 @@ class LevelZeros(RealNumbers):
         rate = self.rates[root]
         return at_root(self._tops[self.axes.index(place)], rate) / at_root(self.factor.derivative(), rate)
 
+    def is_fraction(self, root: int, place: int) -> bool:
+        """Tell whether a component of k is a fraction; then it is so at every rate."""
+        if place not in self.axes or self.varies(place, range(len(self.rates))):
+            return place not in self.axes
+        top, slope = self._tops[self.axes.index(place)], self.factor.derivative()
+        return top * slope[slope.degree()] == slope * top[slope.degree()]
+
     @cached_property
     def _tops(self) -> list[fmpq_poly]:
         """The components of k times the derivative of the factor, which makes their coefficients short."""
