@@ -5,11 +5,10 @@ and the `rotor_set`. A top has its `nutation`, its `effective_potential` and the
 Any body in a field has the `staude_cone` and the `staude_plane` (both from `along_arcs`) and the
 `amended_potential`. Satellites have their `attitudes`, their `librations` and the `smelt_plane`. There are
 `bifurcations` and `eigenvalues` along one parameter, and `charts` over two (their `cells` and
-`chart_curves`). A body of
-`solids` turns in an `animation`, or the reader turns it (`interactive`). Verdicts have the same `looks` in
-all of them. `headings` say what is drawn, `legends` what the looks mean, if there is no room `beside` the
-marks, and `captions` say both for a paper. A `globe` is a sphere seen from one side, `scene_numbers` makes
-exact numbers of the values, and `paper.mplstyle` is a style for print.
+`chart_curves`). A body of `solids` turns in an `animation`, or the reader turns it (`interactive`). Verdicts
+have the same `looks` in all of them. `headings` say what is drawn, `legends` what the looks mean, if there is
+no room `beside` the marks, and `captions` say both for a paper. A `globe` is a sphere seen from one side,
+`scene_numbers` makes exact numbers of the values, and `paper.mplstyle` is a style for print.
 """
 from .amended_potential import draw_amended_potential
 from .animation import animate_top, save_animation

@@ -20,7 +20,7 @@ from ..codes import CURVES, RUNGS
 from ..grids import Grid
 from ..signs.ball_arrays import SUM, BallArray
 from ..signs.grid_signs import UNKNOWN
-from ..signs.stabilized_points import leaf, twists
+from ..signs.stabilized_points import Twists, leaf, twist_times_pole, twists
 from ..signs.verdict_arrays import grid_for
 from ..signs.verdicts_in_blocks import Decided, signs_in_row
 from .contours import sign_of, signs_of
@@ -124,7 +124,7 @@ def _untwisted(plane: Plane, signs: Array) -> Array:
         with np.errstate(all="ignore"):
             middle, half = _near_zero(plane, good, bad), abs(bad - good) * WITHIN / 2
             wide = 2 * half + SUM * abs(middle)
-            D4, double = (x.sign().reshape(3, -1) for x in _twists(
+            D4, double = (x.reshape(3, -1) for x in _twists(
                 plane, np.concatenate([middle - half, middle + half, middle], axis=1),
                 np.concatenate([0 * half, 0 * half, wide], axis=1)))
         return np.where((D4[0] * D4[1] < 0) & (double[2] != 0), middle, np.nan)
@@ -151,13 +151,15 @@ def _near_zero(plane: Plane, good: Array, bad: Array) -> Array:
 
 
 def _product(plane: Plane, at: Array) -> Array:
-    D4, double = _twists(plane, at, np.zeros_like(at))
-    return np.asarray(D4.middle * double.middle)
+    return twist_times_pole(plane.report, _balls(plane, at, np.zeros_like(at)), at.shape[1])
 
 
-def _twists(plane: Plane, at: Array, wide: Array) -> tuple[BallArray, BallArray]:
-    """Return D4 and the margin of 1:2 over boxes about points."""
+def _twists(plane: Plane, at: Array, wide: Array) -> Twists:
+    """Return the signs of D4 and of the margin of 1:2 over boxes about points."""
+    return twists(plane.report, _balls(plane, at, wide), at.shape[1])
+
+
+def _balls(plane: Plane, at: Array, wide: Array) -> dict[Symbol, BallArray]:
     grid = plane.grid(*at)
-    names = {s: leaf(grid, s) for s in grid.values}
-    names |= {name: BallArray(*ball) for name, ball in zip((plane.x[0], plane.y[0]), zip(at, wide))}
-    return twists(plane.report, names, at.shape[1])
+    return {s: leaf(grid, s) for s in grid.values} | {
+        name: BallArray(*ball) for name, ball in zip((plane.x[0], plane.y[0]), zip(at, wide))}

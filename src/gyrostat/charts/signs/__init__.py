@@ -6,5 +6,6 @@ starts from; `float_screening` decides most points of a list after one look at i
 proves the signs that floats leave, those of doubles in whole numbers by `dyadic`. `criteria_codes` tells what
 two criteria decide, by one loop for all margins, and then by the `three_valued` answers of each;
 `verdicts_in_blocks` makes verdicts of it. Points that only gyroscopic forces stabilise are decided together
-(`stabilized_points`), in `ball_arrays`. `verdict_arrays` is the verb.
+(`stabilized_points`): D4 is `recorded` once, and the `computation` is repeated in `ball_arrays`.
+`verdict_arrays` is the verb.
 """

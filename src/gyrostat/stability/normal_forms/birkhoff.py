@@ -177,14 +177,9 @@ def multiplied(a: Rows, b: Rows) -> Rows:
 
 
 def not_zero(x: Any) -> bool:
-    """Tell whether a number is proved not to be 0, for all eigenvalues that it may stand for.
-
-    For an array it tells whether most entries are.
-    """
+    """Tell whether a number is proved not to be 0, for all eigenvalues that it may stand for."""
     if isinstance(x, Element):
         return x.invertible()
-    if hasattr(x, "excludes_zero"):
-        return bool(2 * x.excludes_zero().sum() > x.middle.size)
     return not (x.contains(0) if isinstance(x, acb) else is_zero(x))
 
 

@@ -83,8 +83,9 @@ def averages(parts: Sequence[Part]) -> Averages:
     pulled = [_trace(T[n], X) for n in ALL]
     still = sum(pulled[i] * Y[i][j] * pulled[j] for i in ALL for j in ALL)
     turned = [[multiplied(matrix, T[n]) for n in ALL] for matrix in M]
-    forced = sum(c * sum(M[j][b][d] * _trace(turned[i][b], turned[k][d])
-                         for b in ALL for d in ALL if not is_zero(M[j][b][d]))
+    # exchanging b and d changes the sign of both factors if j is even, of none if it is odd
+    forced = sum(c * sum((1 if b == d else 2) * (M[j][b][d] * _trace(turned[i][b], turned[k][d]))
+                         for d in ALL for b in range(d + j % 2) if not is_zero(M[j][b][d]))
                  for (i, j, k), c in _weights(p, q).items())
     top = ratio * (3 * q * quartic + 12 * still) - 2 * forced
     return Averages(p, q, top, 96 * q**2 * discriminant * ratio)
