@@ -1,14 +1,24 @@
 """Linear algebra over polynomial rings without fractions: determinants, Faddeev-LeVerrier, kernels."""
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from typing import Any
 
 from flint import fmpq, fmpq_mpoly
-from sympy import Expr
+from sympy import Add, Expr, ImmutableMatrix
 
 from .polynomials import Ring, Row, cancel, lcm
 
 Key = Callable[[int, fmpq_mpoly], Any]
+
+
+def immutable(rows: Sequence[Sequence[Expr]], columns: int) -> ImmutableMatrix:
+    """Return a matrix of expressions, which ImmutableMatrix(rows) would make expressions once more."""
+    return ImmutableMatrix(len(rows), columns, [entry for row in rows for entry in row], copy=False)
+
+
+def applied(rows: Iterable[Sequence[Expr]], vector: Sequence[Expr]) -> list[Expr]:
+    """Return a matrix of expressions times a vector, most entries of which may be 0."""
+    return [Add(*(a * b for a, b in zip(row, vector) if a and b)) for row in rows]
 
 
 def multiply(ring: Ring, a: Sequence[Row], b: Sequence[Row]) -> list[Row]:

@@ -7,7 +7,7 @@ from sympy import Expr, ImmutableMatrix, S, Symbol
 
 from ..._cached import cached_property
 from ..._display import Shown
-from ...algebra.rings.matrices import determinant, multiply, row_reduce
+from ...algebra.rings.matrices import determinant, immutable, multiply, row_reduce
 from ...arguments import checked
 from ...mechanics.equilibrium.coadjoint_orbit import (
     critical_integrals,
@@ -245,6 +245,6 @@ def restricted(eq: Equilibrium, slice_: tuple[ImmutableMatrix, tuple[Expr, ...]]
     columns, _ = ring.matrix(vectors)
     across = [list(column) for column in zip(*columns)]
     restricted = multiply(ring, across, multiply(ring, rows, columns)) if basis.cols else []
-    matrix = ImmutableMatrix(basis.cols, basis.cols, lambda i, j: ring.quotient(restricted[i][j], bottom))
+    matrix = immutable([[ring.quotient(entry, bottom) for entry in row] for row in restricted], basis.cols)
     free = tuple(value for j, value in enumerate(nu, 1) if value == symbol(f"nu{j}"))
     return SecondVariation(eq, basis, matrix, tuple(zip(functions, nu)), free, symmetries)

@@ -8,7 +8,7 @@ from ..._lazy import loaded
 from ...algebra.rings.polynomials import lowest_terms
 from ...algebra.solving.margins import Signs
 from ...arguments import checked
-from ...mechanics.equilibrium.derivation_ring import signs_over
+from ...mechanics.equilibrium.derivation_ring import positive, signs_over
 from ...mechanics.equilibrium.equilibrium import Equilibrium
 from ...mechanics.scenes.kind import Kind
 from ..notion import Notion
@@ -159,12 +159,6 @@ def secular_criterion(variation: SecondVariation) -> Criterion:
     minors = across(variation) or of_stiffness(variation)
     minors = minors or _minors([(2, e) for e in _on_sphere(variation)] or variation.block_minors)
     return _definite(variation, Notion.SECULAR, minors, _signs(variation, minors), (1,))
-
-
-def positive(eq: Equilibrium) -> tuple[Expr, ...]:
-    """Return what is positive at every equilibrium: k·Ik, if there is a field of one direction."""
-    k = Matrix(() if eq.system.coupled else eq.point[3:])
-    return (eq.at_point(k.dot(eq.system.body.tensor * k)),) if k else ()
 
 
 def across(variation: SecondVariation) -> list[Minor]:
