@@ -21,6 +21,7 @@ for library in ("OPENBLAS", "OMP", "MKL", "NUMBA"):
 import argparse
 import statistics
 import time
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -136,27 +137,31 @@ def checks(some, wrong):
                          f"{nstr(apart, 2)}")
 
 
-def many(case, t, n, rounds):
-    """n times up to t: ours, and heyoka's own grid of dense output."""
-    scene, values = scene_of(case)
-    solved, times, some = motion(scene, case.state,
-                                 values), np.linspace(0, t, n), np.linspace(n // 7, n - 1, 20).astype(int)
-    sharp = motion(scene, case.state, values, precision=DIGITS)
-    truth = [sharp(float(u)) for u in times[some]]
-    yield from (line("route", "times", "periods", "run, ms", "ns a state", "largest error of 20"),
-                "|---" * 6 + "|")
-    routes = {OURS: lambda: solved(times)}
-    if heyoka:
-        routes["heyoka 2e-16, propagate_grid"] = heyoka_grid(case, times)
-    for name, route in routes.items():
-        seconds = []
-        for _ in range(rounds):
-            begin = time.perf_counter()
-            x = route()
-            seconds.append(time.perf_counter() - begin)
-        worst = max(error(x[i], r) for i, r in zip(some, truth))
-        yield line(name, n, f"{t / solved.period:.0f}", spread(seconds),
-                   f"{1e9 * statistics.median(seconds) / n:.0f}", f"{worst:.1e}")
+def many(some, n, rounds):
+    """n times in a row, 10², 10³ and 10⁴ in a period: ours, and heyoka's grid of dense output, in turn."""
+    yield from (line("case", "in a period", "ours, ns a state", "error", "heyoka 2e-16, propagate_grid",
+                     "error", "heyoka / ours"), "|---" * 7 + "|")
+    for case in some:
+        scene, values = scene_of(case)
+        solved, sharp = motion(scene, case.state, values), motion(scene, case.state, values, precision=DIGITS)
+        for density in (100, 1000, 10000):
+            times = np.linspace(0, n / density * float(solved.period), n)
+            places = np.linspace(n // 7, n - 1, 20).astype(int)
+            truth = [sharp(float(u)) for u in times[places]]
+            routes = [partial(solved, times)] + ([heyoka_grid(case, times)] if heyoka else [])
+            seconds, worst = [[] for _ in routes], []
+            for route in routes:                           # the first run warms up
+                x = route()
+                worst.append(max(error(x[i], r) for i, r in zip(places, truth)))
+            for _ in range(rounds):
+                for list_, route in zip(seconds, routes):
+                    begin = time.process_time()
+                    route()
+                    list_.append(time.process_time() - begin)
+            cells = [cell for list_, off in zip(seconds, worst)
+                     for cell in (f"{1e9 * statistics.median(list_) / n:.0f}", f"{off:.1e}")]
+            ratio = [f"{statistics.median(b / a for a, b in zip(*seconds)):.2f}"] if heyoka else ["—"] * 3
+            yield line(case.name, density, *cells, *ratio)
 
 
 def one_state(case, t, rounds):
@@ -250,7 +255,9 @@ def main():
         *checks(list({case.name: case for case, _, _ in panels}.values()), wrong), "")
     long = next(case for case in cases(given.quick) if case.revolution and case.slope[2] == 1)
     times = [*long.times.values()]
-    say(*many(long, times[len(times) // 2], 10**4 if given.quick else 10**6, rounds), "")
+    closed = [case for case in cases(given.quick) if case.free or case.revolution]
+    say(f"Rows of {10**4 if given.quick else 10**5} equidistant times; CPU time.", "",
+        *many(closed, 10**4 if given.quick else 10**5, 1 if given.quick else 9), "")
     if heyoka:
         say(*one_state(long, times[-1], rounds))
     if not given.quick:
