@@ -129,3 +129,13 @@ def cross(a: Sequence[Any], b: Sequence[Any]) -> tuple[Any, Any, Any]:
 def adjugate(rows: Sequence[Sequence[Any]]) -> list[tuple[Any, Any, Any]]:
     """Return the adjugate of a symmetric matrix of three rows: the cross products of its rows."""
     return [cross(rows[1], rows[2]), cross(rows[2], rows[0]), cross(rows[0], rows[1])]
+
+
+def blocks(rows: Sequence[Sequence[Any]]) -> list[list[int]]:
+    """Return the indices of a symmetric matrix in blocks: those together that entries connect."""
+    blocks: list[list[int]] = []
+    for i, row in enumerate(rows):
+        joined = [block for block in blocks if any(row[j] for j in block)]
+        blocks = [block for block in blocks if block not in joined]
+        blocks.append(sorted([i, *(j for block in joined for j in block)]))
+    return sorted(blocks)

@@ -5,10 +5,10 @@ from typing import Any
 
 from sympy import Add, Expr, Matrix, S, eye
 
-from ...algebra.enclosures.balls import ball
 from ...algebra.reals.exact import evaluate, proved_sign
 from ...algebra.rings.matrices import cross
 from ...algebra.solving.pencils import points_on_sphere
+from ...algebra.solving.real_fields import balls
 from ...algebra.solving.roots import real_roots
 from ...errors import ScopeError, ValuesError
 from ...mechanics.scenes.system import System, at_numbers, names_of_scene
@@ -100,5 +100,5 @@ def _in_direction(scene: System, k: tuple[Expr, ...]) -> list[HeavyForm]:
 
 def _place(rotation: HeavyForm) -> list[float]:
     """Return the key that sorts rotations from the upright one down."""
-    k1, k2, k3 = (float(ball(x, PRECISION).mid()) for x in rotation.k)
+    k1, k2, k3 = (float(x.mid()) for x in balls(rotation.k, PRECISION))
     return [-k3, k1, k2]

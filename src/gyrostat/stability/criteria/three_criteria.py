@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING
 from sympy import Expr, Matrix, S
 
 from ..._lazy import loaded
+from ...algebra.rings.matrices import blocks
 from ...algebra.rings.polynomials import lowest_terms
 from ...algebra.solving.margins import Signs
 from ...arguments import checked
@@ -13,7 +14,7 @@ from ...mechanics.equilibrium.equilibrium import Equilibrium
 from ...mechanics.scenes.kind import Kind
 from ..notion import Notion
 from .conditions import Criterion, condition_of
-from .energy_casimir import SecondVariation, augmented_hessian, blocks
+from .energy_casimir import SecondVariation, augmented_hessian
 from .implication import Item, eliminate, merge, reduced
 from .linearization import Linearization
 from .orientation_form import orientation_form, rests_in_frame
@@ -186,9 +187,8 @@ def stiffness(variation: SecondVariation) -> Matrix | None:
     The second variation is a positive form of the momenta beside K.
     """
     eq = variation.equilibrium
-    if eq.system.linear_integrals or not rests_in_frame(eq):
-        return None
-    return orientation_form(eq).stiffness
+    rests = rests_in_frame(eq) and not eq.system.linear_integrals
+    return orientation_form(eq).stiffness if rests else None
 
 
 def of_stiffness(variation: SecondVariation) -> list[Minor]:
