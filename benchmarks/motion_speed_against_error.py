@@ -21,13 +21,11 @@ for library in ("OPENBLAS", "OMP", "MKL", "NUMBA"):
 import argparse
 import statistics
 import time
-from functools import partial
 from pathlib import Path
 
-import numpy as np
 from measured import here_and_now
 from motion_figure import OURS, Row, draw, line, short_table, spread, table
-from motion_integrators import TooLong, forget, heyoka, heyoka_grid, heyoka_run, methods
+from motion_integrators import TooLong, forget, heyoka, heyoka_run, methods
 from motion_reference import cases, error, nutation_period, taylor
 from mpmath import mpf, nstr, workdps
 from sympy import Rational
@@ -137,33 +135,6 @@ def checks(some, wrong):
                          f"{nstr(apart, 2)}")
 
 
-def many(some, n, rounds):
-    """n times in a row, 10², 10³ and 10⁴ in a period: ours, and heyoka's grid of dense output, in turn."""
-    yield from (line("case", "in a period", "ours, ns a state", "error", "heyoka 2e-16, propagate_grid",
-                     "error", "heyoka / ours"), "|---" * 7 + "|")
-    for case in some:
-        scene, values = scene_of(case)
-        solved, sharp = motion(scene, case.state, values), motion(scene, case.state, values, precision=DIGITS)
-        for density in (100, 1000, 10000):
-            times = np.linspace(0, n / density * float(solved.period), n)
-            places = np.linspace(n // 7, n - 1, 20).astype(int)
-            truth = [sharp(float(u)) for u in times[places]]
-            routes = [partial(solved, times)] + ([heyoka_grid(case, times)] if heyoka else [])
-            seconds, worst = [[] for _ in routes], []
-            for route in routes:                           # the first run warms up
-                x = route()
-                worst.append(max(error(x[i], r) for i, r in zip(places, truth)))
-            for _ in range(rounds):
-                for list_, route in zip(seconds, routes):
-                    begin = time.process_time()
-                    route()
-                    list_.append(time.process_time() - begin)
-            cells = [cell for list_, off in zip(seconds, worst)
-                     for cell in (f"{1e9 * statistics.median(list_) / n:.0f}", f"{off:.1e}")]
-            ratio = [f"{statistics.median(b / a for a, b in zip(*seconds)):.2f}"] if heyoka else ["—"] * 3
-            yield line(case.name, density, *cells, *ratio)
-
-
 def one_state(case, t, rounds):
     """One state after a long time, ours from the assembled scene on, against heyoka at its tightest
     tolerance, in turn.
@@ -255,9 +226,6 @@ def main():
         *checks(list({case.name: case for case, _, _ in panels}.values()), wrong), "")
     long = next(case for case in cases(given.quick) if case.revolution and case.slope[2] == 1)
     times = [*long.times.values()]
-    closed = [case for case in cases(given.quick) if case.free or case.revolution]
-    say(f"Rows of {10**4 if given.quick else 10**5} equidistant times; CPU time.", "",
-        *many(closed, 10**4 if given.quick else 10**5, 1 if given.quick else 9), "")
     if heyoka:
         say(*one_state(long, times[-1], rounds))
     if not given.quick:
