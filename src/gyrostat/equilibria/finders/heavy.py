@@ -5,6 +5,7 @@ from typing import Any
 
 from sympy import Add, Expr, Matrix, S, eye
 
+from ..._lazy import loaded
 from ...algebra.reals.exact import evaluate, proved_sign
 from ...algebra.rings.matrices import cross
 from ...algebra.solving.pencils import points_on_sphere
@@ -15,7 +16,6 @@ from ...mechanics.scenes.system import System, at_numbers, names_of_scene
 from ...notation import symbol
 from ...stability.form import PRECISION
 from .heavy_form import HeavyForm, data_at
-from .heavy_levels import rates_on_level
 from .heavy_polynomials import DIRECTION, degree_in_k, directions_at_rate, rates_by_elimination
 from .rate_level_tilt import C1, exact_point, refuse_as_level
 
@@ -69,6 +69,7 @@ def _on_level(scene: System, level: Expr) -> list[HeavyForm]:
     if degree_in_k(scene, "on a level of C1") < 3:
         linear, curved = _quadratic(scene)
         inertia, rotor = scene.body.tensor, Matrix(scene.body.gyrostatic_momentum)
+        rates_on_level = loaded("equilibria.finders.heavy_levels:rates_on_level")
         with contextlib.suppress(ScopeError):
             return [HeavyForm(scene, k, omega, circle)
                     for omega, k, circle in rates_on_level(inertia, curved, linear, rotor, level)]
