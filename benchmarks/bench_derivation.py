@@ -1,5 +1,5 @@
-"""How long does the whole derivation take, beside SymPy used naively, SymPy used with care, and
-PoissonGeometry?
+"""How long does the whole derivation take, beside python-flint used for these equilibria alone, SymPy used
+naively, SymPy used with care, and PoissonGeometry?
 
     python benchmarks/bench_derivation.py            all of it, minutes; prints a section of RESULTS.md
     python benchmarks/bench_derivation.py --quick    once each, for breakage
@@ -95,7 +95,7 @@ def main() -> None:
                 "gyrostat --version": [sys.executable, "-m", "gyrostat", "--version"],
                 "gyrostat report": [sys.executable, "-m", "gyrostat", "report"]}
     processes: dict[str, list[float]] = {name: [] for name in commands}
-    results: dict[str, list[dict]] = {"gyrostat": [], "careful": []}
+    results: dict[str, list[dict]] = {"gyrostat": [], "flint": [], "careful": []}
     for command in commands.values():
         whole(command)                                 # warm the file cache and the bytecode
     for _ in range(rounds):
@@ -115,12 +115,15 @@ def main() -> None:
         "| derivation, U(k3) undefined: bracket with Jacobi check, E1, E2, E3, both criteria | first in "
         "its process | repeated | "
         "repeated × `import sympy` there | result |", "|---|---|---|---|---|"]
-    for route, name in (("gyrostat", "gyrostat"), ("careful", "SymPy with care (no criteria, no reduction)")):
-        runs = results[route]
-        warm = [statistics.median(r["warm"]) for r in runs]
+    repeated = {route: [statistics.median(r["warm"]) for r in runs] for route, runs in results.items()}
+    for route, name in (("gyrostat", "gyrostat"), ("flint", "python-flint, for these three alone"),
+                        ("careful", "SymPy with care (no criteria, no reduction)")):
+        runs, warm = results[route], repeated[route]
         lines.append(f"| {name} | {spread([r['cold'] for r in runs], '.3f')} | {spread(warm, '.3f')} | "
                      f"{ratio(warm, imports)} | "
                      f"{'right' if all(r['right'] for r in runs) else 'wrong'} |")
+    lines += ["", f"Repeated, gyrostat takes {ratio(repeated['gyrostat'], repeated['flint'])} × the time of "
+              "python-flint for these three alone."]
     for kind, title in (("naive",
                          "SymPy as one writes it first (`jacobian`, `subs`, `charpoly`, `simplify`, "
                          "`solve`), U undefined"),

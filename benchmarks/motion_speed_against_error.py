@@ -23,10 +23,9 @@ import statistics
 import time
 from pathlib import Path
 
-import numpy as np
 from measured import here_and_now
 from motion_figure import OURS, Row, draw, line, short_table, spread, table
-from motion_integrators import TooLong, forget, heyoka, heyoka_grid, heyoka_run, methods
+from motion_integrators import TooLong, forget, heyoka, heyoka_run, methods
 from motion_reference import cases, error, nutation_period, taylor
 from mpmath import mpf, nstr, workdps
 from sympy import Rational
@@ -136,29 +135,6 @@ def checks(some, wrong):
                          f"{nstr(apart, 2)}")
 
 
-def many(case, t, n, rounds):
-    """n times up to t: ours, and heyoka's own grid of dense output."""
-    scene, values = scene_of(case)
-    solved, times, some = motion(scene, case.state,
-                                 values), np.linspace(0, t, n), np.linspace(n // 7, n - 1, 20).astype(int)
-    sharp = motion(scene, case.state, values, precision=DIGITS)
-    truth = [sharp(float(u)) for u in times[some]]
-    yield from (line("route", "times", "periods", "run, ms", "ns a state", "largest error of 20"),
-                "|---" * 6 + "|")
-    routes = {OURS: lambda: solved(times)}
-    if heyoka:
-        routes["heyoka 2e-16, propagate_grid"] = heyoka_grid(case, times)
-    for name, route in routes.items():
-        seconds = []
-        for _ in range(rounds):
-            begin = time.perf_counter()
-            x = route()
-            seconds.append(time.perf_counter() - begin)
-        worst = max(error(x[i], r) for i, r in zip(some, truth))
-        yield line(name, n, f"{t / solved.period:.0f}", spread(seconds),
-                   f"{1e9 * statistics.median(seconds) / n:.0f}", f"{worst:.1e}")
-
-
 def one_state(case, t, rounds):
     """One state after a long time, ours from the assembled scene on, against heyoka at its tightest
     tolerance, in turn.
@@ -250,7 +226,6 @@ def main():
         *checks(list({case.name: case for case, _, _ in panels}.values()), wrong), "")
     long = next(case for case in cases(given.quick) if case.revolution and case.slope[2] == 1)
     times = [*long.times.values()]
-    say(*many(long, times[len(times) // 2], 10**4 if given.quick else 10**6, rounds), "")
     if heyoka:
         say(*one_state(long, times[-1], rounds))
     if not given.quick:

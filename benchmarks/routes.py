@@ -3,6 +3,7 @@
 Each derives what it can and says whether the result is the printed one.
 """
 import sympy as sp
+from flint_route import flint_route  # noqa: F401 (the route of that name)
 
 I1, I3 = sp.symbols("I1 I3", positive=True)
 l, dU, d2U, w, p0, m0, lam = sp.symbols("l dU d2U omega pi3_0 m0 lamda", real=True)
@@ -13,6 +14,7 @@ U = sp.Function("U")
 E1_MARGIN = (p0 + l) ** 2 - 4 * I1 * dU                # VV2003 §4.1
 E3_MARGIN = (I1 * (1 - K[2]**2) * d2U - 2 * I1 * K[2] * (w * l - w**2 * K[2] * (I1 - I3)) + I1**2 * w**2
              + ((I1 - I3) * w * K[2] - l) ** 2)        # VV2003 §5, on the family
+PRINTED = [str(sp.expand(E1_MARGIN)), str(sp.expand(E3_MARGIN))]
 
 
 def _hat(v):
@@ -43,7 +45,7 @@ def gyrostat_route():
     for report in reports:
         _ = report.necessary, report.sufficient, report.casimirs_only
     ours = [str(report.sufficient.alternatives[0][0].margin) for report in (reports[0], reports[2])]
-    return ours == [str(sp.expand(E1_MARGIN)), str(sp.expand(E3_MARGIN))]
+    return ours == PRINTED
 
 
 def careful_route():

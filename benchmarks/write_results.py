@@ -14,7 +14,8 @@ from pathlib import Path
 import sections
 
 COMMANDS = ("guard --write", "growth", "bench_derivation", "bench_orbit", "bench_verify", "bench_verdict",
-            "bench_charts", "speed_against_error", "scale", "motion_speed_against_error --limit 25")
+            "bench_charts", "speed_against_error", "scale", "motion_rows",
+            "motion_speed_against_error --limit 25")
 
 
 def main(commands: list[str]) -> int:

@@ -38,6 +38,8 @@ GREEK = MappingProxyType({
 # a letter or a word, its number, with or without _, and a subscript
 _NAME = re.compile(r"([A-Za-z]+?)(?:_?(\d+))?(?:_([A-Za-z][A-Za-z0-9]*))?")
 
+PLACE = re.compile(r"⟨(\w+)⟩([\^_']?)")                   # of a name in a template, and a script after it
+
 
 def _typeset_parameter(name: str, style: str) -> str:
     """Return a user's parameter: a letter or Greek name with subscripts, a word upright, else as it is."""
@@ -86,3 +88,8 @@ def _bold(letter: str) -> str:
         if first <= letter <= last:
             return chr(ord(bold) + ord(letter) - ord(first))
     return letter
+
+
+def placed(template: str) -> set[str]:
+    """Return the names that stand in a template."""
+    return {name.removesuffix("_dot") for name, _ in PLACE.findall(template)}

@@ -1,10 +1,12 @@
 """The record of a motion in which nothing changes but the turn about the vertical, and its decisions."""
 from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
 
 from sympy import Expr, ImmutableMatrix
 
 from .._cached import cached_property
 from .._display import Shown
+from .._lazy import loaded
 from ..algebra.reals.exact import evaluate
 from ..algebra.rings.matrices import cross
 from ..mechanics.equilibrium.equilibrium import Equilibrium
@@ -15,7 +17,9 @@ from ..stability.damping.secular import KEEPS, lost
 from ..stability.decision import Decision
 from ..stability.form import Form
 from ..stability.report.report import Report
-from .doubles import Doubles
+
+if TYPE_CHECKING:
+    from .doubles import Doubles
 
 
 @dataclass(frozen=True, repr=False)
@@ -90,13 +94,13 @@ class RelativeEquilibrium(Shown, Stored):
         return ImmutableMatrix([r, [evaluate(x, {}) for x in cross(n, r)], n])
 
     @property
-    def doubles(self) -> Doubles:
+    def doubles(self) -> "Doubles":
         """Place, attitude, rates, frequencies and growth rate as the doubles next to the exact numbers.
 
         They come from enclosures. To turn `place` or `attitude` of a satellite with a rotor into doubles one
         by one takes a hundred times as long, as each is written out first.
         """
-        return Doubles(self.form)
+        return loaded("equilibria.doubles:Doubles")(self.form)
 
     @property
     def rates(self) -> dict[str, Expr]:

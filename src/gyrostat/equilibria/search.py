@@ -2,16 +2,13 @@
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
+from .._lazy import loaded
 from ..arguments import checked
 from ..mechanics.scenes.coupled import in_one_direction
 from ..mechanics.scenes.kind import Kind
 from ..mechanics.scenes.system import System
 from ..stability.form import Form
-from .finders.free import free_forms
-from .finders.heavy import heavy_forms
-from .finders.orbit import orbit_forms
 from .finders.rate_level_tilt import asked_about
-from .finders.revolution import revolution_forms
 from .relative_equilibrium import RelativeEquilibrium
 
 
@@ -98,12 +95,24 @@ def relative_equilibria(scene: System, values: Mapping[str, Any]) -> list[Relati
     return [RelativeEquilibrium(form) for form in FINDERS[scene.kind](scene, values)]
 
 
+def _free(scene: System, values: Mapping[str, Any]) -> Sequence[Form]:
+    return loaded("equilibria.finders.free:free_forms")(scene, values)
+
+
+def _of_revolution(scene: System, values: Mapping[str, Any]) -> Sequence[Form]:
+    return loaded("equilibria.finders.revolution:revolution_forms")(scene, values)
+
+
 def _in_field(scene: System, values: Mapping[str, Any]) -> Sequence[Form]:
     """Return the forms for a body that is not of revolution about axis 3; it may be about another axis."""
     if scene.unspecified or asked_about(scene, values):
-        return revolution_forms(scene, values)
-    return heavy_forms(scene, values)
+        return _of_revolution(scene, values)
+    return loaded("equilibria.finders.heavy:heavy_forms")(scene, values)
+
+
+def _in_orbit(scene: System, values: Mapping[str, Any]) -> Sequence[Form]:
+    return loaded("equilibria.finders.orbit:orbit_forms")(scene, values)
 
 
 FINDERS: Mapping[Kind, Callable[[System, Mapping[str, Any]], Sequence[Form]]] = {
-    Kind.FREE: free_forms, Kind.REVOLUTION: revolution_forms, Kind.FIELD: _in_field, Kind.ORBIT: orbit_forms}
+    Kind.FREE: _free, Kind.REVOLUTION: _of_revolution, Kind.FIELD: _in_field, Kind.ORBIT: _in_orbit}

@@ -9,8 +9,8 @@ from ..mechanics.scenes.body import Gyrostat
 from ..mechanics.scenes.potential import Potential
 from ..mechanics.scenes.system import System
 from ..notation import NOTATION, dimension_of, jet, order, symbol
+from ..typesetting import placed
 from .blocks import Display, Rows, Sentence, Word, listed
-from .formats.latex_names import placed
 from .letters import letter, letters_of
 
 Row = tuple[tuple[Any, ...], tuple[Any, ...]]

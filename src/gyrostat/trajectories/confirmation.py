@@ -235,9 +235,8 @@ def _expected(report: Report, decision: Decision, numbers: Point) -> float | Non
         return 0.0 if decision.verdict is Verdict.UNSTABLE else None
     if known := seen_at(report.equilibrium, numbers):      # of revolution at these numbers
         report = analyze(known.equilibrium)
-    if Standing(report, numbers, {}).sufficient:
-        return 1.0
-    return _on_boundary(report.boundary, numbers) if report.boundary else None
+    sufficient = Standing(report, numbers, {}).sufficient
+    return 1.0 if sufficient else _on_boundary(report.boundary, numbers) if report.boundary else None
 
 
 def _on_boundary(boundary: Boundary, numbers: Point) -> float | None:

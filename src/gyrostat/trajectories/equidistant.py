@@ -15,7 +15,7 @@ from numpy.polynomial import chebyshev
 from .._cached import cached_property
 from ..algebra.enclosures.floats import Array
 
-BLOCK, JOINED = 8192, 4096                                 # values at once, interpolated ones at once
+BLOCK, JOINED = 16384, 4096                                # values at once, interpolated ones at once
 MANY = 16384                                               # fewer times are not worth a trial
 NODES = 24                                                 # nodes of a stretch
 LAST, TRIED = 4, 6                                         # coefficients that are to be 0; on trial

@@ -67,6 +67,27 @@ def test_a_component_of_the_rotor_of_the_size_of_a_rounding(small):
         np.testing.assert_allclose(*([float(x) for x in y.frequencies] for y in (e, other)), rtol=0.05)
 
 
+@pytest.mark.parametrize("size", [10**20, 10**50], ids=["20", "50"])
+@pytest.mark.parametrize("seed", range(4))
+def test_long_numbers_with_unlike_denominators(size, seed):
+    """Newton's method finds no other, in any order of the axes; with the rotor across one, too."""
+    draw = Random(size + seed)
+
+    def number(low, high):
+        bottom = draw.randint(size, 10 * size)
+        return F(draw.randint(low * bottom, high * bottom), bottom)
+
+    moments, rotor = [number(1, 3) for _ in range(3)], [number(-1, 1) for _ in range(2)] + [0] * (seed % 2)
+    rotor += [number(-1, 1)] * (len(rotor) < 3)
+    draw.shuffle(rotor)
+    equilibria = found(moments, rotor)
+    here = balls(equilibria)
+    assert all(np.abs(here - place).max(1).min() < 1e-8 for place in search(moments, rotor, 1, seed=seed))
+    assert len({tuple(np.round(p, 7)) for p in here}) == len(here)
+    assert sum((-1) ** e.form.index for e in equilibria) == 0
+    assert {e.decision.verdict for e in equilibria} >= {gs.Verdict.STABLE, gs.Verdict.UNSTABLE}
+
+
 def balls(equilibria):
     """(n, r) in floats, without their expressions."""
     return np.array([[float(x.mid()) for part in (e.form.n, e.form.r) for x in enclosures(part, 2000)]

@@ -177,6 +177,15 @@ def test_nearly_equal_moments_turn_as_slowly_as_they_should():
     assert np.abs(motion.attitude(1.0) - sphere.attitude(1.0)).max() < 1e-9
 
 
+@pytest.mark.parametrize("rotor", [(1, 0, 0), (Fraction(1, 100), Fraction(-1, 7), Fraction(3, 5)),
+                                   (0, 0, 40)])
+def test_a_turn_in_doubles_lacks_nothing(rotor):
+    """What the polynomials in doubles leave of each step is below their rounding, also of the first steps."""
+    for M in ((1, 2, 3), (Fraction(1, 1000), 5, 0), (0, Fraction(1, 50), -60)):
+        turn = free((1, 2, 3), M, rotor).path.loops(3)[0]
+        assert 0 < turn.cut < 2.0**-56
+
+
 def test_shapes():
     """Times of any shape, also none."""
     motion = free((1, 2, 3), (1, 2, 3), (1, 0, 0))

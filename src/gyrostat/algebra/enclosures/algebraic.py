@@ -7,10 +7,11 @@ import math
 from collections.abc import Iterable
 from functools import lru_cache
 
-from flint import arb, fmpq_poly, fmpz_poly
+from flint import arb, fmpz_poly
 from sympy import Add, CRootOf, Expr, Integer, Mul, Pow, Rational, cos, cot, csc, pi, sec, sin, tan, totient
 from sympy.polys import Poly
 
+from ..._lazy import loaded
 from .precision import own_precision
 
 TURNS = (sin, cos, tan, cot, sec, csc)
@@ -159,17 +160,9 @@ def _isolated(root: CRootOf, precision: int) -> arb:
 
 @lru_cache(maxsize=64)
 def _real_roots(polynomial: Poly, precision: int) -> list[arb]:
-    """Enclose all real roots of a polynomial: to isolate one takes as long as to isolate all."""
+    """Enclose all real roots of a polynomial: to isolate one takes nearly as long as to isolate all."""
     with own_precision(precision):
-        return isolated_roots(over_integers(polynomial))
-
-
-def isolated_roots(polynomial: fmpz_poly | fmpq_poly) -> list[arb]:
-    """Return the distinct real roots of a polynomial, isolated, in increasing order.
-
-    They have the precision that is set.
-    """
-    return sorted((x.real for x, _ in polynomial.complex_roots() if x.imag == 0), key=arb.mid)
+        return loaded("algebra.enclosures.real_roots:isolated_roots")(over_integers(polynomial))
 
 
 def _at(polynomial: fmpz_poly, x: arb) -> arb:

@@ -1,14 +1,24 @@
 """Linear algebra over polynomial rings without fractions: determinants, Faddeev-LeVerrier, kernels."""
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from typing import Any
 
 from flint import fmpq, fmpq_mpoly
-from sympy import Expr
+from sympy import Add, Expr, ImmutableMatrix
 
 from .polynomials import Ring, Row, cancel, lcm
 
 Key = Callable[[int, fmpq_mpoly], Any]
+
+
+def immutable(rows: Sequence[Sequence[Expr]], columns: int) -> ImmutableMatrix:
+    """Return a matrix of expressions, which ImmutableMatrix(rows) would make expressions once more."""
+    return ImmutableMatrix(len(rows), columns, [entry for row in rows for entry in row], copy=False)
+
+
+def applied(rows: Iterable[Sequence[Expr]], vector: Sequence[Expr]) -> list[Expr]:
+    """Return a matrix of expressions times a vector, most entries of which may be 0."""
+    return [Add(*(a * b for a, b in zip(row, vector) if a and b)) for row in rows]
 
 
 def multiply(ring: Ring, a: Sequence[Row], b: Sequence[Row]) -> list[Row]:
@@ -119,3 +129,13 @@ def cross(a: Sequence[Any], b: Sequence[Any]) -> tuple[Any, Any, Any]:
 def adjugate(rows: Sequence[Sequence[Any]]) -> list[tuple[Any, Any, Any]]:
     """Return the adjugate of a symmetric matrix of three rows: the cross products of its rows."""
     return [cross(rows[1], rows[2]), cross(rows[2], rows[0]), cross(rows[0], rows[1])]
+
+
+def blocks(rows: Sequence[Sequence[Any]]) -> list[list[int]]:
+    """Return the indices of a symmetric matrix in blocks: those together that entries connect."""
+    blocks: list[list[int]] = []
+    for i, row in enumerate(rows):
+        joined = [block for block in blocks if any(row[j] for j in block)]
+        blocks = [block for block in blocks if block not in joined]
+        blocks.append(sorted([i, *(j for block in joined for j in block)]))
+    return sorted(blocks)

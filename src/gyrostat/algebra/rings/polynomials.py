@@ -62,9 +62,10 @@ class Ring:
 
     def fraction(self, node: Expr) -> tuple[fmpq_mpoly, fmpq_mpoly]:
         """Return numerator and denominator, neither reduced nor sign-normalised."""
-        if node not in self._memo:
-            self._memo[node] = self._convert(node)
-        return self._memo[node]
+        found = self._memo.get(node)
+        if found is None:
+            found = self._memo[node] = self._convert(node)
+        return found
 
     def numerator(self, expression: Expr) -> fmpq_mpoly:
         """Return the numerator, reduced: it is 0 if the expression vanishes identically."""

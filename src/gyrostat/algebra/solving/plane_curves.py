@@ -9,10 +9,11 @@ from sympy import Expr, S, Symbol
 
 from ..._cached import cached_property
 from ...errors import ScopeError
-from ..enclosures.algebraic import is_algebraic, isolated_roots
+from ..enclosures.algebraic import is_algebraic
 from ..enclosures.balls import ball, dyadic, interval
 from ..enclosures.precision import own_precision
 from ..enclosures.rationals import to_flint, to_sympy
+from ..enclosures.real_roots import isolated_roots
 from ..reals.exact import sign_of_constant
 from ..rings.elimination import linear
 from ..rings.polynomials import Ring, by_degree, cancel

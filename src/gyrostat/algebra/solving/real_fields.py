@@ -6,9 +6,9 @@ from flint import arb, arb_poly, fmpq_poly
 from sympy import Expr, Rational
 
 from ..._cached import cached_property
-from ..enclosures.algebraic import isolated_roots
 from ..enclosures.balls import ball
 from ..enclosures.precision import own_precision
+from ..enclosures.real_roots import isolated_roots
 from ..reals.number_fields import at_root, divided
 from .root_numbers import refuse_close
 from .roots import in_order, roots_of_factor
@@ -16,7 +16,28 @@ from .roots import in_order, roots_of_factor
 BITS = 192                                             # of most enclosures that are asked for
 
 
-class Conjugates:
+class RealNumbers:
+    """Several lists of real numbers, each enclosed at once, and made into expressions when asked for."""
+
+    def values(self, precision: int) -> list[list[arb]]:
+        """Return enclosures of the numbers of each list."""
+        raise NotImplementedError
+
+    def expression(self, root: int, place: int) -> Expr:
+        """Return one number of one list as an expression."""
+        raise NotImplementedError
+
+    def is_fraction(self, root: int, place: int) -> bool:
+        """Tell whether one number of one list is a fraction."""
+        raise NotImplementedError
+
+    def varies(self, place: int, conjugate: Sequence[int]) -> bool:
+        """Tell whether a number is proved to have two sizes in conjugate lists: then it is no fraction."""
+        sizes = [abs(self.values(BITS)[root][place]) for root in conjugate]
+        return any(not x.overlaps(sizes[0]) for x in sizes)
+
+
+class Conjugates(RealNumbers):
     """The real roots of an irreducible polynomial, and the values of quotients top/under at them.
 
     Parameters
@@ -69,20 +90,32 @@ class Conjugates:
         slope = self.polynomial.derivative()
         return divided([top * slope for top in self.tops], self.under, self.polynomial), slope
 
+    def expression(self, root: int, place: int) -> Expr:
+        """Return one of the quotients at one of the roots."""
+        tops, under = self.short
+        return at_root(tops[place], self.exact[root]) / at_root(under, self.exact[root])
+
+    def is_fraction(self, root: int, place: int) -> bool:
+        """Tell whether one of the quotients is a fraction; then it is so at every root."""
+        tops, slope = self.short
+        degree = slope.degree()
+        return tops[place] * slope[degree] == slope * tops[place][degree]
+
 
 class FieldNumbers(Sequence[Expr]):
-    """Numbers in the field of one real root: a sequence of expressions, each made when it is asked for.
+    """One of several lists of real numbers: a sequence of expressions, each made when it is asked for.
 
     Parameters
     ----------
-    conjugates : Conjugates
+    conjugates : RealNumbers
+        such as quotients at conjugate roots
     root : int
-        its place among the real ones
+        the place of the list, of the root among the real ones
     places : sequence of (int, Expr)
-        which of the tops, and an exact factor
+        which of its numbers, and an exact factor
     """
 
-    def __init__(self, conjugates: Conjugates, root: int, places: Sequence[tuple[int, Expr]]):
+    def __init__(self, conjugates: RealNumbers, root: int, places: Sequence[tuple[int, Expr]]):
         self.conjugates, self.root, self.places = conjugates, root, places
 
     def __len__(self) -> int:
@@ -97,15 +130,13 @@ class FieldNumbers(Sequence[Expr]):
     def __getitem__(self, n: int | slice) -> "Expr | FieldNumbers":
         if isinstance(n, slice):
             return FieldNumbers(self.conjugates, self.root, self.places[n])
-        (place, factor), root = self.places[n], self.conjugates.exact[self.root]
-        tops, under = self.conjugates.short
-        return factor * (at_root(tops[place], root) / at_root(under, root))
+        place, factor = self.places[n]
+        return factor * self.conjugates.expression(self.root, place)
 
     def is_fraction(self, n: int) -> bool:
         """Whether a number is a fraction; a factor that is none is taken as if it made one."""
-        tops, slope = self.conjugates.short
-        (place, factor), degree = self.places[n], slope.degree()
-        return not isinstance(factor, Rational) or tops[place] * slope[degree] == slope * tops[place][degree]
+        place, factor = self.places[n]
+        return not isinstance(factor, Rational) or self.conjugates.is_fraction(self.root, place)
 
     def __reduce__(self) -> tuple[Any, ...]:
         return tuple, (tuple(self),)                       # python-flint's polynomials are not pickled
@@ -119,3 +150,10 @@ class FieldNumbers(Sequence[Expr]):
     def over(self, divisor: Expr) -> "FieldNumbers":
         """Return each number divided by an exact one."""
         return FieldNumbers(self.conjugates, self.root, [(place, x / divisor) for place, x in self.places])
+
+
+def balls(numbers: Sequence[Expr], precision: int) -> list[arb]:
+    """Return enclosures; those of such lists need no expressions."""
+    if isinstance(numbers, FieldNumbers):
+        return numbers.balls(precision)
+    return [ball(x, precision) for x in numbers]

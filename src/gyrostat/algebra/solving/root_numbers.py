@@ -14,9 +14,10 @@ from sympy.polys.domains import QQ, ZZ
 from sympy.polys.rootisolation import RealInterval
 
 from ...errors import ScopeError
-from ..enclosures.algebraic import isolated_roots, over_integers
+from ..enclosures.algebraic import over_integers
 from ..enclosures.balls import ends
 from ..enclosures.precision import own_precision
+from ..enclosures.real_roots import isolated_roots
 
 BITS = 256                                             # of a root that SymPy is lent
 APART = 600                                            # bits, for each root
@@ -36,7 +37,7 @@ def roots_of(coefficients: Sequence[Rational]) -> list[Expr]:
     Raises
     ------
     ScopeError
-        roots are so close to each other that to tell them apart takes minutes
+        roots are of so different sizes that to tell them apart takes minutes
 
     Examples
     --------
@@ -63,22 +64,18 @@ def _order(product: Rational, degree: int) -> int:
 def refuse_close(polynomial: fmpz_poly) -> None:
     """Refuse a polynomial with roots of such sizes that it takes minutes to isolate them.
 
-    Its coefficients are compared with those that roots of one modulus would give, and, by the discriminant,
-    the product of the distances of its roots with that of distances as large as the roots.
+    Its coefficients are compared with those that roots of one modulus would give.
 
     Raises
     ------
     ScopeError
-        roots lie too close to each other, or too far apart
+        roots lie too far apart
     """
     while not polynomial[0]:
         polynomial = polynomial.right_shift(1)
     bits, degree = [int(c).bit_length() for c in polynomial.coeffs()], polynomial.degree()
     above = max(degree * b - (degree - n) * bits[0] - n * bits[-1] for n, b in enumerate(bits))
-    resultant = polynomial.resultant(polynomial.derivative())
-    discriminant = int(resultant // polynomial.leading_coefficient()).bit_length()
-    near = resultant and (degree - 1) * (bits[0] + bits[-1]) - discriminant > degree * APART
-    if above > degree * APART or near:
+    if above > degree * APART:
         raise ScopeError("these numbers are of so different sizes that equilibria, or the quantities that "
                          "decide their stability, are no longer told apart: leave out what is far too small "
                          "to matter, or make smaller what is far too large")

@@ -161,16 +161,17 @@ def _numerators(apart: fmpq_poly, form: fmpq_mat, functional: fmpq_mat,
     """Return the numerators of the rational univariate representation, one for each element x.
 
     Such a numerator is Σ x(z) m(z) Π (T − λ(y)) over the zeros z, of weight m(z), and the others y. It
-    follows from the functional Σ m(z) x(z) at λⁿ x, a Krylov sequence.
+    follows from the functional Σ m(z) x(z) at λⁿ x, one Krylov sequence of the transposed matrix for all x.
     """
-    coefficients, found = apart.coeffs()[::-1], []
-    for x in elements:
-        sums = []
-        for _ in range(apart.degree()):
-            sums.append((functional * x)[0, 0])
-            x = form * x
-        found.append(fmpq_poly([sum((s * coefficients[n - m] for m, s in enumerate(sums[:n + 1])), fmpq(0))
-                                for n in range(len(sums))][::-1]))
+    rows = []
+    for _ in range(apart.degree()):
+        rows.append(functional.entries())
+        functional = functional * form
+    several = fmpq_mat([[x[n, 0] for x in elements] for n in range(form.nrows())])
+    sums, turned, found = fmpq_mat(rows) * several, fmpq_poly(apart.coeffs()[::-1]), []
+    for m in range(len(elements)):
+        product = (turned * fmpq_poly([sums[n, m] for n in range(len(rows))])).coeffs()[:len(rows)]
+        found.append(fmpq_poly([fmpq(0)] * (len(rows) - len(product)) + product[::-1]))
     return found
 
 

@@ -7,6 +7,7 @@ from sympy import Expr, S, Symbol
 
 from ...errors import ScopeError
 from ..rings.polynomials import Ring
+from .opposite_zeros import opposite_zeros
 from .real_fields import Conjugates, FieldNumbers
 from .sphere_curves import SphereCurve, Terms, on_sphere, split
 from .sphere_points import finite_zeros
@@ -59,6 +60,9 @@ def zeros_on_sphere(polynomials: Sequence[Expr], k: Sequence[Symbol],
         f).to_dict().items()}) for f in several] for several in (polynomials, (but, *over_it)))
     if not (given := [f for f in given if f]):
         return None
+    pairs = opposite_zeros(given, [left_out], above, lambda: _finite(given, [], left_out, above))
+    if pairs is not None:
+        return ZeroSet(pairs, [])
     curves, rests = split(given)
     curves = [curve for curve in curves if not curve.divides(left_out)]
     arcs, bare = ([curve for curve in curves if bool(curve.samples) is real] for real in (True, False))

@@ -40,11 +40,7 @@ class Quotient:
 
     def __init__(self, writer: "Writer", scale: Fraction, term: "Term | None" = None,
                  powers: Mapping[int, int] | None = None):
-        found = dict(powers or {})
-        if term is not None and term[0] in writer.positive:
-            found[term[0]] = found.get(term[0], 0) + 1
-            scale, term = -scale if term[1] else scale, None
-        self.writer, self.scale, self.term, self.powers = writer, scale, term, found
+        self.writer, self.scale, self.term, self.powers = writer, scale, term, powers or {}
 
     def __add__(self, other: Any) -> Any:
         if other == 0:
@@ -74,12 +70,12 @@ class Quotient:
     def __mul__(self, other: Any) -> Any:
         if other == 0:
             return 0
-        other = self._like(other)
-        terms = [x.term for x in (self, other) if x.term is not None]
+        one, two = self._counted(), self._like(other)._counted()
+        terms = [x.term for x in (one, two) if x.term is not None]
         term = self.writer.product(*terms) if len(terms) == 2 else terms[0] if terms else None
-        return Quotient(self.writer, self.scale * other.scale, term,
-                        {step: self.powers.get(step, 0) + other.powers.get(step, 0)
-                         for step in (*self.powers, *other.powers)})
+        return Quotient(self.writer, one.scale * two.scale, term,
+                        {step: one.powers.get(step, 0) + two.powers.get(step, 0)
+                         for step in (*one.powers, *two.powers)})
 
     __rmul__ = __mul__
 
@@ -105,6 +101,14 @@ class Quotient:
         step, negative = self.term or self.writer.write(Integer(1))
         return step, negative != (self.scale < 0)
 
+    def _counted(self) -> "Quotient":
+        """Return the same with a term that has proved to be positive among the powers."""
+        if self.term is None or self.term[0] not in self.writer.positive:
+            return self
+        step, negative = self.term
+        return Quotient(self.writer, -self.scale if negative else self.scale, None,
+                        {**self.powers, step: self.powers.get(step, 0) + 1})
+
     def _like(self, other: Any) -> "Quotient":
         return other if isinstance(other, Quotient) else Quotient(self.writer, Fraction(other))
 
@@ -126,19 +130,28 @@ def quotient(expression: Expr, writer: "Writer") -> Any:
     """
     if isinstance(expression, Rational):
         return Fraction(int(expression.p), int(expression.q))
+    powers: dict[int, int] = {}
     ring = Ring([expression])
     top, bottom = ring.fraction(expression)
     top, bottom = cancel(ring.reduce(top), ring.reduce(bottom))
     content, factors = bottom.factor()
-    powers: dict[int, int] = {}
+    scale = 1 / Fraction(int(content.p), int(content.q))
     for factor, n in factors:
         if not plainly_positive(ring, factor):
             top, factor, n = (top * factor if n % 2 else top), factor**2, -(-int(n) // 2)
-        step, _ = writer.write(readable(ring.expression(factor)))
+        factor, whole = _whole(factor)
+        step, negative = writer.write(readable(ring.expression(factor)))
+        step = writer.step("negative", (step,)) if negative else step
         writer.positive.add(step)
-        powers[step] = powers.get(step, 0) - int(n)
-    scale, rest = readable(ring.expression(top / content)).as_coeff_Mul(rational=True)
-    return Quotient(writer, Fraction(1, int(scale.q)), writer.write(rest * int(scale.p)), powers)
+        powers[step], scale = powers.get(step, 0) - int(n), scale * whole**int(n)
+    top, whole = _whole(top)
+    return Quotient(writer, scale / whole, writer.write(readable(ring.expression(top))), powers)
+
+
+def _whole(polynomial: fmpq_mpoly) -> tuple[fmpq_mpoly, int]:
+    """Return the polynomial times a number by which all coefficients are whole, and the number."""
+    number = lcm(1, *(int(c.q) for c in polynomial.coeffs()))
+    return polynomial * number, number
 
 
 def plainly_positive(ring: Ring, polynomial: fmpq_mpoly) -> bool:

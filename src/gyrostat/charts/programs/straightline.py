@@ -8,7 +8,7 @@ Bürgisser, Clausen & Shokrollahi, Algebraic Complexity Theory (1997), chapter 4
 """
 import operator
 from collections import Counter
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import lru_cache
 from itertools import combinations
@@ -153,11 +153,13 @@ def _of_numbers(expression: Expr, numbers: Mapping[Symbol, Any], writer: "Writer
             return numbers[node]
         return NotImplemented if node.free_symbols & numbers.keys() else quotient(node, writer)
 
-    return in_arithmetic(expression, Arithmetic(leaf, sum, prod, lambda base, n: base**int(n), _no_function))
+    def power(base: Any, exponent: Rational) -> Any:
+        return base**int(exponent) if exponent.is_Integer and exponent > 0 else refused()
 
+    def refused(*given: Any) -> Any:
+        raise TypeError(f"{expression} is no polynomial in named numbers")
 
-def _no_function(node: Expr, parts: Sequence[Any]) -> Any:
-    raise TypeError(f"{node} is no polynomial in named numbers")
+    return in_arithmetic(expression, Arithmetic(leaf, sum, prod, power, refused))
 
 
 class Writer:

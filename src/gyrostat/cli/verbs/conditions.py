@@ -1,37 +1,35 @@
 """gyrostat conditions: where each equilibrium exists, its two conditions, and what decides between them."""
 import argparse
 from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING
 
 from sympy import Expr
 
+from ..._lazy import loaded
 from ...algebra.rings.readable import readable
 from ...algebra.text.inputs import name_of
 from ...notation import symbol
 from ...printing.blocks import Block, Display, Heading, sentence
-from ...printing.formats.article import article
 from ...printing.formats.json_data import json_text
 from ...printing.formats.si_units import unit_of
-from ...printing.formats.tables import conditions_table
 from ...printing.formats.text import text
 from ...printing.glossary import term_blocks
 from ...printing.nomenclature import occurring, symbol_rows
-from ...printing.results.beyond_reports import result_blocks
 from ...printing.results.document import conditions_blocks
 from ...printing.results.inequalities import criterion_blocks
 from ...questions.answers.between_criteria import between_blocks
-from ...questions.answers.brief_solutions import brief
 from ...questions.answers.condition_list import condition_list
-from ...questions.answers.energy_sink import sink_of
 from ...questions.answers.equilibria import labels_of, some
-from ...questions.answers.solve_for import Solved, solutions_data, solved
 from ...questions.given_numbers import numbers_of
 from ...questions.scene_texts import Asked, scene_of
 from ...stability.criteria.number_notes import scene_note
 from ...stability.report.report import Report
-from ..options.latex_options import paper_of
 from ..options.scene_files import asked_of, scene_of_file, with_scene
 from ..options.units_given import units_given
 from ..output import Output
+
+if TYPE_CHECKING:
+    from ...questions.answers.solve_for import Solved
 
 FEW = 25                                               # lines of the sets of --solve-for without --full
 
@@ -41,8 +39,8 @@ def run(given: argparse.Namespace, out: Output) -> int:
     given = with_scene(given)
     numbers = numbers_of(given.values)
     dampings = given.platform_damping, given.rotor_damping
-    sink = None if dampings == (None, None) else sink_of(given.scene and scene_of_file(given.scene),
-                                                         dampings, numbers)
+    sink = None if dampings == (None, None) else loaded("questions.answers.energy_sink:sink_of")(
+        given.scene and scene_of_file(given.scene), dampings, numbers)
     asked = asked_of(given, {*numbers, given.solve_for})
     labels, others = labels_of(asked, given.equilibrium, numbers)
     some(labels, others)
@@ -59,7 +57,8 @@ def run(given: argparse.Namespace, out: Output) -> int:
     if given.format == "json":
         out(json_text(found.data()))
     elif given.format == "latex":
-        out(conditions_table(found.reports, paper_of(given), after))
+        paper = loaded("cli.options.latex_options:paper_of")(given)
+        out(loaded("printing.formats.tables:conditions_table")(found.reports, paper, after))
     else:
         blocks = [block for report in found.reports for block in conditions_blocks(report)]
         symbols = symbol_rows(found.reports[0].equilibrium.system, occurring(blocks))
@@ -71,33 +70,36 @@ def _solve(given: argparse.Namespace, asked: Asked, labels: Sequence[str], numbe
            out: Output) -> int:
     """Write the sets of --solve-for; 0."""
     name = name_of(given.solve_for) or given.solve_for
-    found, missing = solved(asked, labels, name, numbers)
+    found, missing = loaded("questions.answers.solve_for:solved")(asked, labels, name, numbers)
     if given.format == "json":
-        out(json_text(solutions_data(found, missing)))
+        out(json_text(loaded("questions.answers.solve_for:solutions_data")(found, missing)))
         return 0
     without = [block for m in missing for block in m.blocks()]
     if given.format == "latex":
         title = f"Values of {name} that stabilise".replace("_", r"\_")
-        out(article(title, [*_sets(found), *without], paper_of(given)))
+        paper = loaded("cli.options.latex_options:paper_of")(given)
+        out(loaded("printing.formats.article:article")(title, [*_sets(found), *without], paper))
         return 0
     unit, said = unit_of(name), ""
     scale = [sentence(symbol(name), f" is in {unit}.")] if unit and units_given(given) else []
     sets: Sequence[Solved] = found
     if not given.full:
+        brief = loaded("questions.answers.brief_solutions:brief")
         sets, said = brief(found, lambda few, told: _shown(few, told, out.width).count("\n") <= FEW)
     out("\n".join(filter(None, (_shown(sets, said, out.width), *(
         text(more, out.width) for more in (scale, without) if more)))))
     return 0
 
 
-def _shown(found: Sequence[Solved], said: str, width: int) -> str:
+def _shown(found: Sequence["Solved"], said: str, width: int) -> str:
     """The sets, and apart from them what is said below."""
     sets = _sets(found)
     return "\n".join(text(blocks, width) for blocks in (sets, [sentence(said)] if said else []) if blocks)
 
 
-def _sets(found: Sequence[Solved]) -> list[Block]:
+def _sets(found: Sequence["Solved"]) -> list[Block]:
     """The set of each equilibrium."""
+    result_blocks = loaded("printing.results.beyond_reports:result_blocks")
     return [block for label, report, solution in found
             for block in (Heading(label), *_family(report), *result_blocks(solution))]
 

@@ -1,6 +1,8 @@
 """gyrostat decide: verdicts at numbers, for one equilibrium or for all that the numbers allow."""
 import argparse
+from typing import Any
 
+from ..._lazy import loaded
 from ...notation import symbol
 from ...printing.blocks import Block, Display, Heading, Word, prose, sentence
 from ...printing.formats.json_data import form_data, json_text, window_data
@@ -8,7 +10,6 @@ from ...printing.formats.si_units import RATE
 from ...printing.formats.text import number_text, text
 from ...printing.glossary import term_blocks
 from ...printing.results.decision import damped_block, decision_blocks, note_blocks, reason_block
-from ...printing.results.normal_form import form_blocks, window_blocks
 from ...questions.answers.answer_list import answers_data, note_once
 from ...questions.answers.answer_table import answer_table, legend
 from ...questions.answers.answers import Answer, answers_at, normal_form_of
@@ -17,8 +18,6 @@ from ...questions.answers.equilibria import Missing
 from ...questions.given_numbers import numbers_of
 from ...questions.scene_texts import scene_of
 from ...stability.criteria.number_notes import scene_note
-from ...stability.normal_forms.d4_along_family import Window
-from ..batch.batch import run as each
 from ..options.scene_files import asked_of, with_scene
 from ..options.units_given import units_given
 from ..output import Output
@@ -32,16 +31,17 @@ def run(given: argparse.Namespace, out: Output) -> int:
         given = argparse.Namespace(**{**vars(given), "values": [*given.values, f"M={given.momentum}"]})
     given = with_scene(given)
     if given.batch is not None:
-        return each(given, out)
+        return int(loaded("cli.batch.batch:run")(given, out))
     numbers = numbers_of(given.values)
     asked = asked_of(given, numbers)
     if given.normal_form:
-        form = normal_form_of(asked, given.equilibrium, numbers, given.normal_form)
+        form: Any = normal_form_of(asked, given.equilibrium, numbers, given.normal_form)
         out.noted(scene_note(scene_of(asked), {symbol(name): x for name, x in numbers.items()}))
-        if isinstance(form, Window):
-            data, blocks = window_data(form), window_blocks(form)
+        if isinstance(form, loaded("stability.normal_forms.d4_along_family:Window")):
+            data, blocks = window_data(form), loaded("printing.results.normal_form:window_blocks")(form)
         else:
-            data, blocks = form_data(form), [*form_blocks(form), *_in_si(given)]
+            written = loaded("printing.results.normal_form:form_blocks")(form)
+            data, blocks = form_data(form), [*written, *_in_si(given)]
         out(json_text(data) if given.format == "json" else text(blocks, out.width))
         return 0
     if arcs := arcs_at(asked, given.equilibrium, numbers):

@@ -5,17 +5,17 @@ from typing import Any
 
 from sympy import Add, Expr, Matrix, S, eye
 
-from ...algebra.enclosures.balls import ball
+from ..._lazy import loaded
 from ...algebra.reals.exact import evaluate, proved_sign
 from ...algebra.rings.matrices import cross
 from ...algebra.solving.pencils import points_on_sphere
+from ...algebra.solving.real_fields import balls
 from ...algebra.solving.roots import real_roots
 from ...errors import ScopeError, ValuesError
 from ...mechanics.scenes.system import System, at_numbers, names_of_scene
 from ...notation import symbol
 from ...stability.form import PRECISION
 from .heavy_form import HeavyForm, data_at
-from .heavy_levels import rates_on_level
 from .heavy_polynomials import DIRECTION, degree_in_k, directions_at_rate, rates_by_elimination
 from .rate_level_tilt import C1, exact_point, refuse_as_level
 
@@ -69,6 +69,7 @@ def _on_level(scene: System, level: Expr) -> list[HeavyForm]:
     if degree_in_k(scene, "on a level of C1") < 3:
         linear, curved = _quadratic(scene)
         inertia, rotor = scene.body.tensor, Matrix(scene.body.gyrostatic_momentum)
+        rates_on_level = loaded("equilibria.finders.heavy_levels:rates_on_level")
         with contextlib.suppress(ScopeError):
             return [HeavyForm(scene, k, omega, circle)
                     for omega, k, circle in rates_on_level(inertia, curved, linear, rotor, level)]
@@ -100,5 +101,5 @@ def _in_direction(scene: System, k: tuple[Expr, ...]) -> list[HeavyForm]:
 
 def _place(rotation: HeavyForm) -> list[float]:
     """Return the key that sorts rotations from the upright one down."""
-    k1, k2, k3 = (float(ball(x, PRECISION).mid()) for x in rotation.k)
+    k1, k2, k3 = (float(x.mid()) for x in balls(rotation.k, PRECISION))
     return [-k3, k1, k2]

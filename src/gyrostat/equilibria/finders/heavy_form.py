@@ -10,6 +10,7 @@ from ...algebra.enclosures.balls import ball
 from ...algebra.enclosures.precision import own_precision
 from ...algebra.reals.exact import evaluate, proved_sign
 from ...algebra.rings.matrices import cross
+from ...algebra.solving.real_fields import FieldNumbers, balls
 from ...mechanics.equilibrium.near_pole import near_pole, refuse_rough
 from ...mechanics.scenes.system import System
 from ...notation import symbol
@@ -47,7 +48,7 @@ class HeavyForm(Form):
     ----------
     scene : System
         at given numbers
-    k : tuple of Expr, shape (3,)
+    k : sequence of Expr, shape (3,)
         exact
     omega : Expr
         [1/T]
@@ -64,7 +65,7 @@ class HeavyForm(Form):
     LEAVES = settled(False, "the amended potential has a maximum, and gyroscopic forces do not stabilise "
                      "it: an eigenvalue has a positive real part", Rung.SPECTRUM, Notion.SPECTRAL)
     scene: System
-    k: tuple[Expr, ...]
+    k: Sequence[Expr]
     omega: Expr
     circle: tuple[Expr, ...] | None = None
     curve: Expr | None = None
@@ -78,13 +79,13 @@ class HeavyForm(Form):
     @cached_property
     def point(self) -> tuple[Expr, ...]:
         """The point π = omega Ik and k."""
-        along = self.scene.body.tensor * Matrix(self.k)
+        along = self.scene.body.tensor * Matrix(tuple(self.k))
         return (*(evaluate(self.omega * x, {}) for x in along), *self.k)
 
     @property
     def directions(self) -> tuple[tuple[Expr, ...], ...]:
         """The direction k."""
-        return (self.k,)
+        return (tuple(self.k),)
 
     @property
     def rates(self) -> dict[str, Expr]:
@@ -124,9 +125,14 @@ class HeavyForm(Form):
 
     def in_balls(self, precision: int) -> tuple[list[Any], Data, Any]:
         """Return k, the data of the scene there, and omega in balls."""
-        inertia, rotor, gradient, curved = self._data
-        rows = [[[ball(e, precision) for e in row] for row in matrix] for matrix in (inertia, curved)]
-        k, *vectors = ([ball(e, precision) for e in vector] for vector in (self.k, rotor, gradient))
+        k = balls(self.k, precision)
+        if isinstance(self.k, FieldNumbers):
+            data, at = data_along(self.scene), dict(zip(DIRECTION, k))
+        else:
+            data, at = self._data, {}
+        inertia, rotor, gradient, curved = data
+        rows = [[[ball(e, precision, at) for e in row] for row in matrix] for matrix in (inertia, curved)]
+        vectors = [[ball(e, precision, at) for e in vector] for vector in (rotor, gradient)]
         return k, Data(rows[0], vectors[0], vectors[1], rows[1]), ball(self.omega, precision)
 
     @cached_property
@@ -152,7 +158,7 @@ class HeavyForm(Form):
         assert U is not None
         rotor = self._data.rotor
         momentum = tuple(evaluate(x + l, {}) for x, l in zip(self.point, rotor))
-        return decide_window(LocalMotion(tuple(map(tuple, inertia)), tuple(rotor), self.k, momentum,
+        return decide_window(LocalMotion(tuple(map(tuple, inertia)), tuple(rotor), tuple(self.k), momentum,
                                          U.expression, self._coefficients))
 
     def _coefficients(self) -> tuple[Expr, Expr]:
@@ -183,9 +189,18 @@ def data_at(scene: System, k: Sequence[Expr]) -> Data:
         slope = [S.Zero, S.Zero, near.derivative(1)]
         curved = zeros(3).tolist()                         # across k nothing is asked of the curvature
         return Data(scene.body.tensor.tolist(), list(scene.body.gyrostatic_momentum), slope, curved)
+    inertia, rotor, first, second = data_along(scene)
+    return Data(inertia, rotor, [evaluate(x, at) for x in first],
+                [[evaluate(x, at) for x in row] for row in second])
+
+
+def data_along(scene: System) -> Data:
+    """Return the same in the symbols k1, k2, k3."""
+    U = scene.potential
+    assert U is not None
     slopes = U.gradient()
     rows = slopes, *(U.following(d) if d else (S.Zero,) * 3 for d in slopes)
-    first, *second = ([evaluate(U.value(d), at) if d else S.Zero for d in row] for row in rows)
+    first, *second = ([U.value(d) if d else S.Zero for d in row] for row in rows)
     return Data(scene.body.tensor.tolist(), list(scene.body.gyrostatic_momentum), first, second)
 
 

@@ -2,51 +2,28 @@
 
 They are the critical points of the amended potential U_c.
 """
-from collections.abc import Iterator
-from functools import reduce
-from typing import Any, NamedTuple
+from collections.abc import Iterator, Sequence
+from functools import cache, reduce
+from typing import Any
 
-from flint import arb, arb_mat, fmpq, fmpq_mpoly, fmpq_poly
-from sympy import Expr, Matrix, Rational, S, Symbol, eye, sqrt
+from flint import arb, arb_mat, fmpq, fmpq_mpoly
+from sympy import Expr, Matrix, Rational, S, Symbol, sqrt
 
 from ...algebra.enclosures.balls import ball
 from ...algebra.enclosures.precision import own_precision
 from ...algebra.reals.exact import evaluate, proved_sign
-from ...algebra.reals.number_fields import at_root, divided, in_one
-from ...algebra.rings.polynomials import Ring, by_degree
+from ...algebra.reals.number_fields import at_root, divided
+from ...algebra.rings.polynomials import Ring
+from ...algebra.solving.common_points import CommonPoints
 from ...algebra.solving.pencils import points_on_sphere
-from ...algebra.solving.roots import real_roots, roots_of_factor
+from ...algebra.solving.real_fields import FieldNumbers
+from ...algebra.solving.roots import in_order, real_roots, roots_of_factor
 from ...errors import ScopeError
-from ...notation import symbol
+from .level_rates import EPSILON, OMEGA, SIGMA, Field, LevelZeros, at_rate, in_omega, nothing_at, placed
 
-OMEGA, SIGMA, EPSILON = symbol("omega"), symbol("sigma"), symbol("epsilon")
 PRECISION = 512                                            # bits
 UNTOLD = "the rotations on that level of C1 are not told apart by omega"
-Found = tuple[Expr, tuple[Expr, ...], tuple[Expr, ...] | None]
-
-
-class Field(NamedTuple):
-    """A body in U = c·k + k·Qk/2 and the value of C1."""
-
-    inertia: Matrix
-    curved: Matrix
-    linear: Matrix
-    rotor: Matrix
-    level: Expr
-
-    def along(self, axes: list[int]) -> "Field":
-        """Return the parts along some of the axes."""
-        I, Q, c, l, level = self
-        within, parts = (axes, axes), (axes, [0])
-        return Field(I.extract(*within), Q.extract(*within), c.extract(*parts), l.extract(*parts), level)
-
-    @property
-    def pencil(self) -> Matrix:
-        return OMEGA**2 * self.inertia - self.curved + SIGMA * eye(len(self.linear))
-
-    @property
-    def vector(self) -> Matrix:
-        return self.linear - OMEGA * self.rotor
+Found = tuple[Expr, Sequence[Expr], tuple[Expr, ...] | None]
 
 
 def rates_on_level(inertia: Matrix, curved: Matrix, linear: Matrix, rotor: Matrix, level: Expr
@@ -133,38 +110,39 @@ def _in_span(field: Field, axes: list[int]) -> Iterator[Found]:
     moment += below * total(number(rotor[i]) * above[i] for i in size) - number(level) * below**2
     moment += number(level) * -length                      # 0 with length: lowers the degree in sigma
     place, name = ring.generators.index(EPSILON), str(length.context().names()[ring.generators.index(SIGMA)])
-    if not (resultant := _in_omega(ring, length.resultant(moment, name))):
+    if not moment or not moment.degrees()[ring.generators.index(SIGMA)]:
         raise ScopeError(UNTOLD)
-    changed = [length.resultant(moment + epsilon * x, name).derivative(place) for x in (1, sigma, sigma + 1)]
-    ones, sigmas, _ = (_in_omega(ring, x) for x in changed)
-    for factor, _ in resultant.factor()[1]:
-        if not (roots := roots_of_factor(factor)):
-            continue
-        one = ones % factor
-        if factor.degree() > 1 and one:
-            (s,) = divided([sigmas], one, factor)
-            if under := _placed(ring, below, s, factor):
-                slope = factor.derivative()
-                tops = divided([_placed(ring, x, s, factor) * slope for x in above], under, factor)
-                for root in roots:
-                    scale = at_root(slope, root)
-                    yield root, _embedded([at_root(top, root) / scale for top in tops], axes), None
+    met = CommonPoints(moment, length, ring.generators.index(SIGMA), ring.generators.index(OMEGA))
+    if met.degree < 0:
+        raise ScopeError(UNTOLD)
+
+    @cache
+    def changed() -> list[fmpq_mpoly]:
+        return [length.resultant(moment + epsilon * x, name).derivative(place) for x in (1, sigma, sigma + 1)]
+
+    for factor, _ in (f for product in (met.simple, *met.multiple) for f in product.factor()[1]):
+        if factor.degree() > 1 and not met.simple % factor:
+            zeros = LevelZeros(met, factor, ring, above, below, changed, axes)
+            if zeros.told:
+                yield from ((root, FieldNumbers(zeros, n, [(m, S.One) for m in range(3)]), None)
+                            for n, root in enumerate(zeros.rates))
                 continue
+        if factor.degree() == 1 and met.simple % factor and shared.is_constant() and nothing_at(
+                part, -factor[0] / factor[1], *(at_rate(ring, x, -factor[0] / factor[1])
+                                                for x in (length, moment))):
+            continue
+        if not (roots := in_order(roots_of_factor(factor))):
+            continue
         # if G vanishes at two roots α and β, the second derivatives give α β and (α + 1)(β + 1)
-        twice = [_in_omega(ring, x.derivative(place)) for x in changed]
+        twice = [in_omega(ring, x.derivative(place)) for x in changed()]
         if factor.degree() > 1 and twice[0] % factor:
             product, both = divided(twice[1:], twice[0], factor)
             s = (both - product - 1) / 2
-            if not any(_placed(ring, x, s, factor) for x in (below, *above)) and not any(
+            if not any(placed(ring, x, s, factor) for x in (below, *above)) and not any(
                     _may_turn(part, root, at_root(s, root)) for root in roots):
                 continue
         for root in roots:
             yield from _one_by_one(field, root, axes)
-
-
-def _embedded(parts: list[Expr], axes: list[int]) -> tuple[Expr, ...]:
-    given = dict(zip(axes, parts))
-    return tuple(given.get(n, S.Zero) for n in range(3))
 
 
 def _one_by_one(field: Field, root: Expr, axes: list[int]) -> Iterator[Found]:
@@ -220,17 +198,3 @@ def _may_turn(part: Field, root: Expr, sigma: Expr) -> bool:
 
 def _enclosed(matrix: Matrix, at: dict[Symbol, arb]) -> arb_mat:
     return arb_mat([[ball(x, PRECISION, at) for x in row] for row in matrix.tolist()])
-
-
-def _in_omega(ring: Ring, polynomial: fmpq_mpoly) -> fmpq_poly:
-    """Return the polynomial in omega, with 0 for the other names."""
-    return in_one(polynomial, ring.generators.index(OMEGA))
-
-
-def _placed(ring: Ring, polynomial: fmpq_mpoly, s: fmpq_poly, modulus: fmpq_poly) -> fmpq_poly:
-    """Insert s for sigma, modulo a polynomial."""
-    place = ring.generators.index(SIGMA)
-    value = fmpq_poly([0])
-    for part in reversed(by_degree(polynomial, place, polynomial.degrees()[place])):
-        value = (value * s + _in_omega(ring, part)) % modulus
-    return value

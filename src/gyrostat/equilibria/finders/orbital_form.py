@@ -3,7 +3,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from flint import arb
 from sympy import Expr
 
 from ..._cached import cached_property
@@ -11,7 +10,7 @@ from ...algebra.enclosures.balls import ball
 from ...algebra.enclosures.precision import doubled, own_precision
 from ...algebra.reals.exact import evaluate, proved_sign
 from ...algebra.rings.matrices import adjugate, cross
-from ...algebra.solving.real_fields import FieldNumbers
+from ...algebra.solving.real_fields import balls
 from ...mechanics.families.circular_orbit import orbital_rate, resting_at
 from ...mechanics.scenes.system import System
 from ...notation import symbol
@@ -122,13 +121,6 @@ class OrbitalForm(Form):
                 if any(not x.contains(0) for x in found):
                     return True
         return any(proved_sign(evaluate(x, {})) for x in unreached(rows, *self.directions))
-
-
-def balls(numbers: Sequence[Expr], precision: int) -> list[arb]:
-    """Return enclosures; those of numbers in a field need no expressions."""
-    if isinstance(numbers, FieldNumbers):
-        return numbers.balls(precision)
-    return [ball(x, precision) for x in numbers]
 
 
 def invariants(tensor: Sequence[Sequence[Any]], rotor: Sequence[Any], n: Sequence[Any], r: Sequence[Any],

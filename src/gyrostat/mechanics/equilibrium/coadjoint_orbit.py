@@ -1,9 +1,9 @@
 """Tangent space of the coadjoint orbit, and the symplectic slice inside it, as kernels of differentials."""
 from collections.abc import Sequence
 
-from sympy import Add, Expr, ImmutableMatrix, S
+from sympy import Expr, ImmutableMatrix, S
 
-from ...algebra.rings.matrices import null_space, row_reduce
+from ...algebra.rings.matrices import applied, immutable, null_space, row_reduce
 from ...algebra.rings.polynomials import Ring
 from ...algebra.solving.margins import Signs
 from ...arguments import checked
@@ -149,8 +149,8 @@ def slice_and_symmetries(eq: Equilibrium) -> tuple[ImmutableMatrix, tuple[Expr, 
         return orbit_tangent(eq), ()
     gradients, flows = differentials(eq, moving), _flows(eq, moving)
     tangent = _isotropy(eq, gradients, flows) if len(moving) > 1 else [[S.One]]
-    along = [[Add(*(c * x for c, x in zip(vector, column))) for column in zip(*flows)] for vector in tangent]
-    symmetries = tuple(Add(*(c * F for c, F in zip(vector, moving))) for vector in tangent)
+    along = [applied(zip(*flows), vector) for vector in tangent]
+    symmetries = tuple(applied(tangent, moving))
     return _kernel(eq, [*regular_differentials(eq), *gradients, *_gauges(eq, along)]), symmetries
 
 
@@ -187,7 +187,8 @@ def orbit_modulo_symmetries(eq: Equilibrium) -> tuple[ImmutableMatrix, tuple[Exp
 def _flows(eq: Equilibrium, integrals: Sequence[Expr]) -> list[list[Expr]]:
     """Return the Hamiltonian field of each integral at the equilibrium."""
     space = eq.system.space
-    return [[entry for (entry,) in rows_at_point(eq, space.tensor * space.gradient(F))] for F in integrals]
+    fields = [applied(space.tensor.tolist(), space.gradient(F).flat()) for F in integrals]
+    return [[eq.at_point(rate) for rate in field] for field in fields]
 
 
 def _gauges(eq: Equilibrium, flows: Sequence[Sequence[Expr]]) -> list[list[Expr]]:
@@ -214,7 +215,7 @@ def _kernel(eq: Equilibrium, rows: Sequence[Sequence[Expr]]) -> ImmutableMatrix:
     size = len(eq.system.space.coordinates)
     basis = null_space(ring, polynomials, lambda j, entry: (not signs.nonzero(entry), len(entry),
                                                             entry.total_degree(), -j), size)
-    return ImmutableMatrix(size, len(basis), lambda i, j: ring.expression(basis[j][1][i]))
+    return immutable([[ring.expression(vector[i]) for _, vector in basis] for i in range(size)], len(basis))
 
 
 def _rank(eq: Equilibrium, rows: Sequence[Sequence[Expr]]) -> int:

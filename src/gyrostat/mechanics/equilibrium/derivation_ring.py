@@ -3,6 +3,7 @@ from collections.abc import Iterable
 
 from sympy import Expr, ImmutableMatrix, Symbol
 
+from ...algebra.rings.matrices import applied
 from ...algebra.solving.margins import Signs
 from ...notation import symbol
 from .derived_once import once
@@ -20,8 +21,24 @@ def signs_over(eq: Equilibrium, expressions: Iterable[Expr]) -> Signs:
 
 
 def rows_at_point(eq: Equilibrium, matrix: ImmutableMatrix) -> list[list[Expr]]:
-    """Return the entries of a matrix, each at the equilibrium."""
-    return [[entry if entry.is_Number else eq.at_point(entry) for entry in row] for row in matrix.tolist()]
+    """Return the entries of a matrix, each at the equilibrium; they are placed there once."""
+    placed = _placed(eq)
+    if matrix not in placed:
+        placed[matrix] = [[entry if entry.is_Number else eq.at_point(entry) for entry in row]
+                          for row in matrix.tolist()]
+    return placed[matrix]
+
+
+@once
+def _placed(eq: Equilibrium) -> dict[ImmutableMatrix, list[list[Expr]]]:
+    return {}
+
+
+@once
+def positive(eq: Equilibrium) -> tuple[Expr, ...]:
+    """Return what is positive at every equilibrium: k·Ik, if there is a field of one direction."""
+    k = () if eq.system.coupled else eq.point[3:]
+    return (eq.at_point(*applied([applied(eq.system.body.tensor.tolist(), k)], k)),) if k else ()
 
 
 @once

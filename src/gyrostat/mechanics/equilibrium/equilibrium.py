@@ -76,8 +76,8 @@ class Equilibrium(Shown, Stored):
             raise EquilibriumError(f"{self.label} depends on {why_refused(clash, names)}")
         object.__setattr__(self, "point", tuple(map(plain, self.point)))   # 0 and ±1, however they are spelt
         left = []
-        for coordinate, rate in zip(self.system.space.coordinates, self.at_point(self.system.jet_field)):
-            if residual := residual_of(rate, self.insert):
+        for coordinate, rate in zip(self.system.space.coordinates, self.system.jet_field.flat()):
+            if residual := residual_of(self.at_point(rate), self.insert):
                 left.append((f"d{coordinate}/dt = {brief(residual)}", is_identically_zero(residual)))
         if wrong := [rate for rate, zero in left if zero is False]:
             raise EquilibriumError(f"{self.label} is not an equilibrium: {', '.join(wrong[:2])}. Check the "

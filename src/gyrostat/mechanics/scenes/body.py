@@ -3,11 +3,12 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from sympy import Add, Expr, ImmutableMatrix, Rational, Symbol, diag, radsimp
+from sympy import Add, Expr, ImmutableMatrix, Rational, S, Symbol, radsimp
 
 from ..._cached import cached_property
 from ..._display import Shown
 from ...algebra.reals.exact import is_identically_zero, plain, sign_of_constant
+from ...algebra.rings.matrices import immutable
 from ...algebra.text.numbers import exact_expression, shown
 from ...algebra.text.quantities import not_mixed
 from ...arguments import checked, several
@@ -87,15 +88,14 @@ class Gyrostat(Shown, Stored):
     @cached_property
     def tensor(self) -> ImmutableMatrix:
         """The inertia tensor, shape (3, 3)."""
-        return (self.inertia if isinstance(self.inertia, ImmutableMatrix)
-                else ImmutableMatrix(diag(*self.inertia)))
+        return self.inertia if isinstance(self.inertia, ImmutableMatrix) else _diagonal(self.inertia)
 
     @cached_property
     def inverse(self) -> ImmutableMatrix:
         """The inverse I⁻¹ of the tensor, shape (3, 3): ω = I⁻¹ π."""
         if isinstance(self.inertia, ImmutableMatrix):
             return ImmutableMatrix(self.inertia.adjugate() / self.inertia.det(method="berkowitz"))
-        return ImmutableMatrix(diag(*(1 / moment for moment in self.inertia)))
+        return _diagonal([1 / moment for moment in self.inertia])
 
     @property
     def entries(self) -> tuple[Expr, ...]:
@@ -233,6 +233,10 @@ def _entries(given: Any, field: str) -> tuple[Any, ...]:
     if len(entries) != 3:
         raise BodyError(f"{field} has {len(entries)} entries: give three, one for each principal axis")
     return entries
+
+
+def _diagonal(entries: Sequence[Expr]) -> ImmutableMatrix:
+    return immutable([[x if i == j else S.Zero for j in range(3)] for i, x in enumerate(entries)], 3)
 
 
 def _without_surds_below(value: Expr) -> Expr:

@@ -2,11 +2,12 @@
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
-from sympy import Add, Expr, ImmutableMatrix, Symbol, diag
+from sympy import Add, Expr, ImmutableMatrix, S, Symbol
 
 from ..._cached import cached_property
 from ..._display import Shown
 from ...algebra.reals.exact import evaluate, sign
+from ...algebra.rings.matrices import applied, immutable
 from ...arguments import checked
 from ...errors import BodyError
 from ...notation import Stored
@@ -138,20 +139,22 @@ class System(Shown, Stored):
         """The gradient ∇h in the coordinates and the jet of U: ωᵢ = πᵢ/Iᵢ, then ∇U."""
         if self.coupled:
             return self.space.gradient(self.hamiltonian)
-        rates = self.body.inverse * ImmutableMatrix(self.space.coordinates[:3])
-        return ImmutableMatrix([*rates, *(self.potential.gradient() if self.potential else ())])
+        rates = applied(self.body.inverse.tolist(), self.space.coordinates[:3])
+        slopes = self.potential.gradient() if self.potential else ()
+        return immutable([[entry] for entry in (*rates, *slopes)], 1)
 
     @cached_property
     def energy_hessian(self) -> ImmutableMatrix:
         """The Hessian D²h in the coordinates and the jet of U."""
         if self.coupled:
             return self.space.hessian(self.hamiltonian)
-        kinetic = self.body.inverse
         if self.potential is None:
-            return ImmutableMatrix(kinetic)
-        rows = [self.potential.following(d) if isinstance(d, Symbol) else (0, 0, 0)
+            return self.body.inverse
+        none = (S.Zero,) * 3
+        rows = [self.potential.following(d) if isinstance(d, Symbol) else none
                 for d in self.potential.gradient()]
-        return ImmutableMatrix(diag(kinetic, ImmutableMatrix(rows)))
+        return immutable([*((*row, *none) for row in self.body.inverse.tolist()),
+                          *((*none, *row) for row in rows)], 6)
 
     @cached_property
     def jet_field(self) -> ImmutableMatrix:

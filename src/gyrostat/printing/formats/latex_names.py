@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 from ...errors import ExpressionError, ValuesError, brief
 from ...notation import NOTATION, REGISTRY, Use, jet
 from ...stability.criteria.numbers_asked import unknown
-from ...typesetting import typeset
+from ...typesetting import PLACE, typeset
 
 # what may stand in a document beside the notation and a user's parameters
 LETTERS = frozenset(f"{entry.name.rstrip('_*')}{number}" for entry in REGISTRY if entry.use is Use.PRINTED
@@ -21,9 +21,9 @@ _LETTER = rf"(?:[A-Za-z]|{_GREEK}|{_STYLED}\{{{_INNER}\}})"
 _ACCENT = r"\\(?:bar|hat|tilde|vec|dot|ddot)"
 _BASE = rf"(?:{_LETTER}|{_ACCENT}\{{{_LETTER}\}}|{_ACCENT}(?: +[A-Za-z]| *{_GREEK}))"
 _SCRIPT = rf"(?:[A-Za-z0-9+*]|{_GREEK}|\{{{_INNER}\}})"
-_SYMBOL = re.compile(rf"{_BASE}(?:'*(?:_{_SCRIPT})?(?:\^{_SCRIPT})?|\^{_SCRIPT}_{_SCRIPT}|_{_SCRIPT}'+)")
+# compiled when it is asked for, as it takes 5 ms
+_SYMBOL = rf"{_BASE}(?:'*(?:_{_SCRIPT})?(?:\^{_SCRIPT})?|\^{_SCRIPT}_{_SCRIPT}|_{_SCRIPT}'+)"
 _LABEL = re.compile(r"[A-Za-z][A-Za-z0-9:.-]*")
-_PLACE = re.compile(r"⟨(\w+)⟩([\^_']?)")
 
 
 @dataclass
@@ -80,7 +80,7 @@ class Names:
             if (match[2] == "_" and "_" in latex) or (match[2] == "'" and raised(latex)):
                 latex = f"{{{latex}}}"
             return latex + match[2]
-        return _PLACE.sub(shown, template)
+        return PLACE.sub(shown, template)
 
     def check(self, whole: bool = False) -> None:
         """Refuse symbols that two names have; in a whole document also names that do not occur.
@@ -134,11 +134,6 @@ class Paper:
 PLAIN = Paper()
 
 
-def placed(template: str) -> set[str]:
-    """The names that stand in a template."""
-    return {name.removesuffix("_dot") for name, _ in _PLACE.findall(template)}
-
-
 def raised(latex: str) -> bool:
     """Whether a symbol has to be closed before it is raised to a power."""
     return "^" in latex or "'" in latex
@@ -152,7 +147,7 @@ def checked(name: str, symbol: str) -> None:
     ExpressionError
         another command than letters, accents and scripts need, an expression, or more than 60 characters
     """
-    if not isinstance(symbol, str) or len(symbol) > LONGEST or not _SYMBOL.fullmatch(symbol):
+    if not isinstance(symbol, str) or len(symbol) > LONGEST or not re.fullmatch(_SYMBOL, symbol):
         raise ExpressionError(f"{brief(symbol)} for {brief(str(name))[1:-1]} is not one symbol: "
                               "write a letter, plain, "
                               r"Greek or in \mathrm{}, \mathcal{}, \mathbf{}, with an accent such as \bar{}, "

@@ -1,12 +1,12 @@
 """Answers decide: for the equilibrium that is named, or for all that the numbers allow."""
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 from sympy import Expr
 
+from ..._lazy import loaded
 from ...algebra.reals.exact import sign_of_constant
-from ...equilibria.finders.orbital_form import OrbitalForm
-from ...equilibria.finders.revolution import pole_at
 from ...equilibria.relative_equilibrium import RelativeEquilibrium
 from ...equilibria.search import relative_equilibria
 from ...errors import ScopeError, ValuesError
@@ -16,8 +16,6 @@ from ...mechanics.scenes.system import System, at_numbers, names_of_scene
 from ...notation import symbol
 from ...printing.formats.si_units import RATE, unit_of
 from ...stability.decision import Decision
-from ...stability.normal_forms.d4_along_family import Window
-from ...stability.normal_forms.normal_form import NormalForm
 from ...stability.report.report import Report, both_verdicts
 from ..scene_texts import Asked, scene_of
 from .equilibria import (
@@ -33,6 +31,10 @@ from .equilibria import (
     some,
 )
 from .equilibrium_labels import named
+
+if TYPE_CHECKING:
+    from ...stability.normal_forms.d4_along_family import Window
+    from ...stability.normal_forms.normal_form import NormalForm
 
 # with these numbers of the motion all are found
 MOTION = ({"omega"}, {"k3"}, {"pi3_0", "C1"}, {"k3", "pi3_0"})
@@ -111,7 +113,7 @@ def answers_at(asked: Asked, label: str | None, numbers: Mapping[str, Expr]) -> 
 
 
 def normal_form_of(asked: Asked, label: str | None, numbers: Mapping[str, Expr],
-                   degree: int) -> NormalForm | Window:
+                   degree: int) -> "NormalForm | Window":
     """The normal form at the equilibrium that is named; of degree 4, D4 in names without a number."""
     wanted = named(asked, label and [label])
     if not wanted:
@@ -177,6 +179,7 @@ def _all_found(scene: System, numbers: Mapping[str, Expr], label: str | None) ->
     except ScopeError as error:
         if label is not None or "omega" not in numbers:
             raise
+        pole_at = loaded("equilibria.finders.revolution:pole_at")
         poles = [pole for s in POLES if (pole := pole_at(scene, s, numbers)) is not None]
         if not poles:
             raise
@@ -210,7 +213,8 @@ def _librations(report: Report, numbers: Mapping[str, Expr]) -> RelativeEquilibr
     known = {symbol(name): x for name, x in numbers.items()}
     if not names_of_scene(eq.system) <= known.keys():
         return None
-    return RelativeEquilibrium(OrbitalForm(at_numbers(eq.system, known), eq.point[3:6], eq.point[6:]))
+    form = loaded("equilibria.finders.orbital_form:OrbitalForm")
+    return RelativeEquilibrium(form(at_numbers(eq.system, known), eq.point[3:6], eq.point[6:]))
 
 
 def _found(found: RelativeEquilibrium) -> Answer:

@@ -1,29 +1,29 @@
 """Answers decide for a body in U = c·k if no number of its motion is given: the arcs of rotations."""
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from sympy import Abs, Expr, factor_terms
 
+from ..._lazy import loaded
 from ...algebra.reals.exact import sign_of_constant
-from ...algebra.solving.roots import between
-from ...equilibria.curves.arc import Arc
-from ...equilibria.curves.staude import staude_cone
-from ...equilibria.finders.heavy import OMEGA
 from ...mechanics.scenes.kind import Kind
 from ...mechanics.scenes.system import names_of_scene
+from ...notation import symbol
 from ...printing.blocks import Block, Heading, sentence
 from ...printing.formats.json_data import decision_data, number_data, strings
 from ...printing.glossary import term_blocks
-from ...printing.results.beyond_reports import result_blocks
 from ...printing.results.decision import note_blocks
 from ...stability.criteria.number_notes import scene_note
 from ...stability.decision import Rung
 from ..scene_texts import Asked, scene_of
 from .equilibrium_labels import named
 
+if TYPE_CHECKING:
+    from ...equilibria.curves.arc import Arc
 
-def arcs_at(asked: Asked, label: str | None, numbers: Mapping[str, Expr]) -> Sequence[Arc]:
+
+def arcs_at(asked: Asked, label: str | None, numbers: Mapping[str, Expr]) -> "Sequence[Arc]":
     """Every arc of permanent rotations; none if something else is asked, or if U is not c·k."""
     scene = scene_of(asked)
     U = scene.potential
@@ -33,17 +33,19 @@ def arcs_at(asked: Asked, label: str | None, numbers: Mapping[str, Expr]) -> Seq
         return []
     if any(x.free_symbols & set(scene.space.coordinates) for x in map(U.value, filter(None, U.gradient()))):
         return []
-    return staude_cone(scene).arcs(numbers)
+    found: Sequence[Arc] = loaded("equilibria.curves.staude:staude_cone")(scene).arcs(numbers)
+    return found
 
 
-def arcs_blocks(arcs: Sequence[Arc]) -> list[Block]:
+def arcs_blocks(arcs: "Sequence[Arc]") -> list[Block]:
     """Ends, direction, rate and verdicts of each; where they are split, and the terms."""
+    result_blocks = loaded("printing.results.beyond_reports:result_blocks")
     found = [*(block for n, arc in enumerate(arcs, 1)
                for block in (Heading(f"permanent rotations, arc {n}"), *result_blocks(arc))), *_splits(arcs)]
     return [*found, *term_blocks(found), *note_blocks(scene_note(arcs[0].scene, {}))]
 
 
-def _splits(arcs: Sequence[Arc]) -> list[Block]:
+def _splits(arcs: "Sequence[Arc]") -> list[Block]:
     """Where an arc is split although the verdict does not change."""
     rungs = {piece.decision.rung for arc in arcs for piece in arc.pieces}
     if not rungs & {Rung.TWIST, Rung.TWIST_POSITIVE, Rung.TWIST_NEGATIVE}:
@@ -54,23 +56,24 @@ def _splits(arcs: Sequence[Arc]) -> list[Block]:
         f"the two frequencies{zeros}. The pieces do not contain these points.")]
 
 
-def _along(arc: Arc) -> dict[str, Any]:
+def _along(arc: "Arc") -> dict[str, Any]:
     """The unit vector k and the square of the rate, in the parameter; with a rotor k is in sigma, too."""
     if not arc.both_ways:
         return {"k": strings(arc.k), "omega_squared": str(arc.omega_squared)}
+    between = loaded("algebra.solving.roots:between")
     inside = {arc.parameter: between(arc.low, arc.high)}   # what has a sign keeps it along the arc
     square = arc.omega_squared.replace(Abs, lambda x: x * sign_of_constant(x.xreplace(inside)))
-    k = (factor_terms(x.xreplace({OMEGA**-2: 1 / square})) for x in arc.k)
+    k = (factor_terms(x.xreplace({symbol("omega")**-2: 1 / square})) for x in arc.k)
     return {"k": strings(k), "omega_squared": str(square)}
 
 
-def arcs_data(arcs: Sequence[Arc]) -> dict[str, Any]:
+def arcs_data(arcs: "Sequence[Arc]") -> dict[str, Any]:
     """The arcs as data for JSON; of an infinite number the decimal is none."""
     note = scene_note(arcs[0].scene, {})
     return {"arcs": list(map(_arc, arcs))} | ({"note": note} if note else {})
 
 
-def _arc(arc: Arc) -> dict[str, Any]:
+def _arc(arc: "Arc") -> dict[str, Any]:
     """With the circles that it crosses, if any."""
     ends = [{"k": list(map(number_data, end.k)), "omega": number_data(end.omega)} for end in arc.ends]
     pieces = [{"low": number_data(piece.low), "high": number_data(piece.high),

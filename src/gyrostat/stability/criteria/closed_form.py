@@ -13,8 +13,9 @@ from sympy import Expr, Matrix, Symbol, sympify
 from ..._cached import cached_property
 from ...algebra.enclosures.rationals import to_sympy
 from ...algebra.reals.exact import Point, compiled, evaluate
-from ...algebra.rings.matrices import cross
+from ...algebra.rings.matrices import blocks, cross
 from ...algebra.rings.polynomials import Ring, cancel, lowest_terms
+from ...mechanics.equilibrium.coadjoint_orbit import orbit_tangent
 from ...mechanics.equilibrium.derivation_ring import rows_at_point
 from ...mechanics.equilibrium.derived_once import once
 from ...mechanics.equilibrium.equilibrium import Equilibrium, Relation
@@ -34,8 +35,7 @@ from .amended_form import (
     with_multiplier,
 )
 from .conditions import Condition, Criterion
-from .energy_casimir import blocks
-from .energy_casimir import second_variation as variation_on_slice
+from .energy_casimir import form_on, multipliers
 from .numbers_asked import names_in
 
 SHORT = 25                                                 # terms of t with which margins are written out
@@ -208,9 +208,16 @@ def in_names(eq: Equilibrium) -> ClosedForm | None:
         return None
     trace = closed_form(eq).invariants.trace
     top, bottom = Ring([trace]).fraction(trace)
-    if len(cancel(top, bottom)[0]) <= SHORT or len(blocks(variation_on_slice(eq).matrix.tolist())) > 1:
+    if len(cancel(top, bottom)[0]) <= SHORT or _splits(eq):
         return None
     return closed_form(eq)
+
+
+def _splits(eq: Equilibrium) -> bool:
+    """Tell whether the second variation on the orbit is made of several blocks."""
+    casimirs = eq.system.space.casimirs
+    _, form, _ = form_on(eq, orbit_tangent(eq), zip(casimirs, multipliers(eq, casimirs)))
+    return len(blocks(form)) > 1
 
 
 def _shaped(flat: Sequence[Any]) -> tuple[Any, ...]:

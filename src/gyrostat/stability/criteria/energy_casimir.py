@@ -7,7 +7,7 @@ from sympy import Expr, ImmutableMatrix, S, Symbol
 
 from ..._cached import cached_property
 from ..._display import Shown
-from ...algebra.rings.matrices import determinant, multiply, row_reduce
+from ...algebra.rings.matrices import blocks, determinant, immutable, multiply, row_reduce
 from ...arguments import checked
 from ...mechanics.equilibrium.coadjoint_orbit import (
     critical_integrals,
@@ -75,16 +75,6 @@ class SecondVariation(Shown, Stored):
         return tuple((n, ring.quotient(determinant(ring, [[rows[i][j] for j in block[:n]]
                                                           for i in block[:n]]), bottom**n))
                      for block in blocks(rows) for n in range(1, len(block) + 1))
-
-
-def blocks(rows: Sequence[Sequence[Any]]) -> list[list[int]]:
-    """Return the indices of a symmetric matrix in blocks: those together that entries connect."""
-    blocks: list[list[int]] = []
-    for i, row in enumerate(rows):
-        joined = [block for block in blocks if any(row[j] for j in block)]
-        blocks = [block for block in blocks if block not in joined]
-        blocks.append(sorted([i, *(j for block in joined for j in block)]))
-    return sorted(blocks)
 
 
 @checked
@@ -239,12 +229,16 @@ def restricted(eq: Equilibrium, slice_: tuple[ImmutableMatrix, tuple[Expr, ...]]
                functions: tuple[Expr, ...]) -> SecondVariation:
     """Return the second variation with given Casimirs and integrals, on a slice modulo its symmetries."""
     (basis, symmetries), nu = slice_, multipliers(eq, functions)
-    form, vectors = _augmented(eq, zip(functions, nu)), basis.tolist()
-    ring = signs_over(eq, [entry for row in (*form, *vectors) for entry in row]).ring
-    rows, bottom = ring.matrix(form)
-    columns, _ = ring.matrix(vectors)
-    across = [list(column) for column in zip(*columns)]
-    restricted = multiply(ring, across, multiply(ring, rows, columns)) if basis.cols else []
-    matrix = ImmutableMatrix(basis.cols, basis.cols, lambda i, j: ring.quotient(restricted[i][j], bottom))
+    ring, form, bottom = form_on(eq, basis, zip(functions, nu))
+    matrix = immutable([[ring.quotient(entry, bottom) for entry in row] for row in form], basis.cols)
     free = tuple(value for j, value in enumerate(nu, 1) if value == symbol(f"nu{j}"))
     return SecondVariation(eq, basis, matrix, tuple(zip(functions, nu)), free, symmetries)
+
+
+def form_on(eq: Equilibrium, basis: ImmutableMatrix, with_multipliers: Iterable[tuple[Expr, Expr]]) -> Any:
+    """Return the second variation on the columns of a basis: a ring, polynomials, and their denominator."""
+    form, vectors = _augmented(eq, with_multipliers), basis.tolist()
+    ring = signs_over(eq, [entry for row in (*form, *vectors) for entry in row]).ring
+    (rows, bottom), (columns, _) = ring.matrix(form), ring.matrix(vectors)
+    across = [list(column) for column in zip(*columns)]
+    return ring, multiply(ring, across, multiply(ring, rows, columns)) if basis.cols else [], bottom

@@ -9,7 +9,7 @@ from sympy import Expr, I, ImmutableMatrix, Mul, Poly, Pow, S, roots, sqrt
 
 from ..._cached import cached_property
 from ..._display import Shown
-from ...algebra.rings.matrices import characteristic_coefficients, multiply
+from ...algebra.rings.matrices import characteristic_coefficients, immutable, multiply
 from ...algebra.rings.polynomials import Ring
 from ...arguments import checked
 from ...errors import ScopeError
@@ -194,8 +194,8 @@ def linearize(eq: Equilibrium) -> Linearization:
     columns, _ = ring.matrix(vectors)                  # polynomial: the denominator is 1
     product = multiply(ring, rows, columns)
     scale = [columns[i][j] for j, i in enumerate(free)]
-    matrix = ImmutableMatrix([[ring.quotient(entry, bottom * d) for entry in row]
-                              for row, d in zip(product, scale)])
+    matrix = immutable([[ring.quotient(entry, bottom * d) for entry in row]
+                        for row, d in zip(product, scale)], len(free))
     return Linearization(eq, basis, matrix)
 
 

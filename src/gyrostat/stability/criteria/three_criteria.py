@@ -5,15 +5,16 @@ from typing import TYPE_CHECKING
 from sympy import Expr, Matrix, S
 
 from ..._lazy import loaded
+from ...algebra.rings.matrices import blocks
 from ...algebra.rings.polynomials import lowest_terms
 from ...algebra.solving.margins import Signs
 from ...arguments import checked
-from ...mechanics.equilibrium.derivation_ring import signs_over
+from ...mechanics.equilibrium.derivation_ring import positive, signs_over
 from ...mechanics.equilibrium.equilibrium import Equilibrium
 from ...mechanics.scenes.kind import Kind
 from ..notion import Notion
 from .conditions import Criterion, condition_of
-from .energy_casimir import SecondVariation, augmented_hessian, blocks
+from .energy_casimir import SecondVariation, augmented_hessian
 from .implication import Item, eliminate, merge, reduced
 from .linearization import Linearization
 from .orientation_form import orientation_form, rests_in_frame
@@ -161,12 +162,6 @@ def secular_criterion(variation: SecondVariation) -> Criterion:
     return _definite(variation, Notion.SECULAR, minors, _signs(variation, minors), (1,))
 
 
-def positive(eq: Equilibrium) -> tuple[Expr, ...]:
-    """Return what is positive at every equilibrium: k·Ik, if there is a field of one direction."""
-    k = Matrix(() if eq.system.coupled else eq.point[3:])
-    return (eq.at_point(k.dot(eq.system.body.tensor * k)),) if k else ()
-
-
 def across(variation: SecondVariation) -> list[Minor]:
     """Return trace and determinant of D²U_c on the plane across k, for a body in a field without integrals.
 
@@ -192,9 +187,8 @@ def stiffness(variation: SecondVariation) -> Matrix | None:
     The second variation is a positive form of the momenta beside K.
     """
     eq = variation.equilibrium
-    if eq.system.linear_integrals or not rests_in_frame(eq):
-        return None
-    return orientation_form(eq).stiffness
+    rests = rests_in_frame(eq) and not eq.system.linear_integrals
+    return orientation_form(eq).stiffness if rests else None
 
 
 def of_stiffness(variation: SecondVariation) -> list[Minor]:

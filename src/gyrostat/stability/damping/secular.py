@@ -15,7 +15,7 @@ from sympy import Add, Expr, Mul, S, Symbol
 from ..._cached import cached_property
 from ..._lazy import loaded
 from ...algebra.reals.exact import Point, sign, sign_changes
-from ...algebra.rings.matrices import characteristic, cross
+from ...algebra.rings.matrices import blocks, characteristic, cross
 from ...algebra.rings.polynomials import lowest_terms
 from ...mechanics.equilibrium.derivation_ring import signs_over
 from ...mechanics.equilibrium.derived_once import once
@@ -23,7 +23,7 @@ from ...mechanics.equilibrium.equilibrium import Equilibrium
 from ...mechanics.equilibrium.standard_axes import seen, seen_at
 from ...notation import Stored
 from ..criteria.conditions import Criterion, independent
-from ..criteria.energy_casimir import SecondVariation, blocks, secular_variation
+from ..criteria.energy_casimir import SecondVariation, secular_variation
 from ..criteria.numbers_asked import left_open, names_in, names_needed, names_of_motion
 from ..criteria.three_criteria import across, in_names, secular_criterion, stiffness
 from ..criteria.truth import holds

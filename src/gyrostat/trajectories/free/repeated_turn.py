@@ -26,7 +26,7 @@ from .uniform_motion import CONSTANT, ROUNDING, Triple, cycles, frame, turned
 M_ONLY, ROWS = 3, 6
 MOST_LOST = 512                                            # bits that nearness to a separatrix may cost
 # bits to which a turn closes, for results in doubles; more for the rotation, whose angle is multiplied
-CLOSED = {M_ONLY: 64, ROWS: 88}
+CLOSED = {M_ONLY: 56, ROWS: 88}
 
 
 @dataclass(frozen=True)
@@ -186,7 +186,7 @@ def _loops(repeated: RepeatedTurn, components: int, bits: int) -> tuple[Loop, Lo
     if lost > MOST_LOST and periodic:
         raise AccuracyError(f"the turn of M is only 2^−{lost // 2} away from a separatrix, too close to be "
                             "integrated: give other numbers")
-    for precision in (bits + lost + 32, bits + 2 * lost + 96, 2 * (bits + 2 * lost + 96)):
+    for precision in (bits + lost + 16, bits + 2 * lost + 96, 2 * (bits + 2 * lost + 96)):
         with own_precision(precision + 64):
             u, k = frame(repeated.momentum, precision + 64)
             start, rates = [*k, *u][:components], repeated.rates(precision + 64)

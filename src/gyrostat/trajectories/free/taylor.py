@@ -16,8 +16,8 @@ from ...errors import AccuracyError
 from ...stability.criteria.amended_form import dot
 from .uniform_motion import CYCLIC
 
-# the order of polynomials in doubles: with steps of e⁻² radii about e⁻⁴⁸ of the first term is left
-ORDER = 24
+# the order of polynomials in doubles; the steps in radii, planned and at most: e⁻⁴⁰ of the first term is left
+ORDER, STEP, FARTHEST = 24, math.exp(-1.8), math.exp(-1.6)
 # the longest step in units of time: if M nearly rests, small coefficients are lost, and noise grows
 LONGEST = 16
 STEPS = 4000                                               # a turn that takes more is refused
@@ -140,29 +140,34 @@ def series(start: Sequence[int], spread: Sequence[int], constant: Sequence[int],
     Every number is times 2^precision.
     """
     rows = [[x] for x in start]
-    M, others = rows[:3], [rows[i:i + 3] for i in range(3, len(rows), 3)]
+    (x, y, z), others = rows[:3], [rows[i:i + 3] for i in range(3, len(rows), 3)]
+    a, b, c = spread[2] - spread[1], spread[0] - spread[2], spread[1] - spread[0]
+    p, q, r = constant
     turning = [[(d * x >> precision) + c] for d, x, c in zip(spread, start, constant)]
     for n in range(1, order + 1):
-        new = []
-        for _, j, k in CYCLIC:                                # M_j M_k is one product, not two
-            both = (spread[k] - spread[j]) * (sum(map(mul, M[j], reversed(M[k]))) >> precision)
-            new.append((both + M[j][-1] * constant[k] - M[k][-1] * constant[j]) // n >> precision)
-        for v in others:
-            new += [(sum(map(mul, v[j], reversed(turning[k])))
-                     - sum(map(mul, v[k], reversed(turning[j])))) // n >> precision
+        # M_j M_k is one product, not two
+        yz, zx, xy = (sum(map(mul, u, reversed(v))) >> precision for u, v in ((y, z), (z, x), (x, y)))
+        u, v, w = x[-1], y[-1], z[-1]
+        new = [(a * yz + v * r - w * q) // n >> precision, (b * zx + w * p - u * r) // n >> precision,
+               (c * xy + u * q - v * p) // n >> precision]
+        for other in others:
+            new += [(sum(map(mul, other[j], reversed(turning[k])))
+                     - sum(map(mul, other[k], reversed(turning[j])))) // n >> precision
                     for _, j, k in CYCLIC]
-        for row, x in zip(rows, new):
-            row.append(x)
-        for omega, d, x in zip(turning, spread, new):
-            omega.append(d * x >> precision)
+        for row, value in zip(rows, new):
+            row.append(value)
+        if others:
+            for omega, d, value in zip(turning, spread, new):
+                omega.append(d * value >> precision)
     return rows
 
 
 def loop(start: Vector, rates: Rates, precision: int, end: arb | None) -> Loop:
     """Return the motion from a start, M and then other vectors, for a time, or until M rests.
 
-    If the time is None, it is followed until M rests to half the precision. Each step is e² times shorter
-    than the radius of convergence, estimated from the coefficients of orders 23 and 24.
+    If the time is None, it is followed until M rests to half the precision. Each step is about e^1.8 times
+    shorter than the radius of convergence, estimated from the coefficients of orders 23 and 24: those of the
+    step before, from which it differs by that step at most; one that turns out too long is taken again.
 
     Raises
     ------
@@ -173,8 +178,9 @@ def loop(start: Vector, rates: Rates, precision: int, end: arb | None) -> Loop:
     ----------
     Jorba & Zou, Experimental Mathematics 14 (2005) 99-117.
     """
-    order = math.ceil(0.4 * precision)
+    order = max(math.ceil(0.45 * precision), ORDER)
     vectors, now, found = [whole(x, precision) for x in start], 0.0, list[Piece]()
+    planned = rates.unit
 
     def moved(length: arb, degree: int) -> list[list[int]]:
         spread, constant = ([whole(x * length, precision) for x in part]
@@ -182,13 +188,15 @@ def loop(start: Vector, rates: Rates, precision: int, end: arb | None) -> Loop:
         return series(vectors, spread, constant, degree, precision)
 
     while len(found) < STEPS:
-        rows = moved(arb(rates.unit), ORDER)
-        radius = min(2.0 ** ((precision - math.log2(max(abs(row[n]) for row in rows) or 1)) / n)
-                     for n in (ORDER - 1, ORDER))
-        after = now + rates.unit * min(radius * math.exp(-2), LONGEST)
+        after = now + planned
         last = end is not None and not after < end
         length = end - now if last and end is not None else arb(after) - now
         rows = moved(length, order)
+        radius = min(2.0 ** ((precision - math.log2(max(abs(row[n]) for row in rows) or 1)) / n)
+                     for n in (ORDER - 1, ORDER))
+        planned = min(radius * STEP * float(length), LONGEST * rates.unit)
+        if radius * FARTHEST < 1:
+            continue
         found.append(Piece(now, length, rows))
         if last or end is None and max(abs(row[1]) for row in rows[:3]) < 1 << precision // 2 + 32:
             return Loop(found, precision)
