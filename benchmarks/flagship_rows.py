@@ -174,8 +174,8 @@ def lists() -> Iterator[Row]:
 
 def derivations() -> Iterator[Row]:
     """From the scene to the criteria, again and again in one process."""
-    yield Row("derivation of E1, E2, E3", "6 × 6 spectra in flint", routes.gyrostat_route,
-              baselines.characteristic_polynomials())
+    yield Row("derivation of E1, E2, E3", "the same in flint alone", routes.gyrostat_route,
+              routes.flint_route)
     def rotations(moments):
         scene = gs.assemble(gs.Gyrostat(moments, tuple(map(gs.symbol, ("l1", "l2", "l3")))), linear_field())
         report = gs.analyze(gs.permanent_rotation(scene, gs.stereographic()))
