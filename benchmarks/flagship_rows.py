@@ -5,6 +5,7 @@ ratio is that of the times of one piece.
 """
 import contextlib
 import io
+import itertools
 import json
 import pickle
 import random
@@ -100,15 +101,19 @@ def verdicts() -> Iterator[Row]:
     report = gs.analyze(gs.upright(gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential())))
     points = [{"I1": drawn(1, 40), "dU": drawn(1, 40), "l": drawn(-40, 40), "pi3_0": drawn(-40, 40)}
               for _ in range(50)]
-    texts = [{name: f"{x.numerator}/{x.denominator}" if name == "l" else f"{float(x):.4f}"
-              for name, x in point.items()} for point in points]
+    def text(n):
+        """A number that is written for the first time."""
+        return f"{n}/{n + 1}" if n % 4 else f"0.{n:07}"
+    count = itertools.count(1)
+    texts = itertools.cycle([{name: text(next(count)) for name in points[0]} for _ in range(20000)])
 
-    def each(call, given):
-        return lambda: [call(point) for point in given]
+    def each(call, given, many=None):
+        return lambda: [call(point) for point in itertools.islice(given, many)]
 
     by_hand = each(baselines.upright, points)
     yield Row("verdict, E1, fractions", "its inequality in flint", each(report.verdict, points), by_hand)
-    yield Row("verdict, E1, texts", "its inequality in flint", each(report.verdict, texts), by_hand)
+    yield Row("verdict, E1, texts", "its inequality in flint", each(report.verdict, texts, 50),
+              by_hand)
     rotor = tuple(map(gs.symbol, ("l1", "l2", "l3")))
     scene = gs.assemble(gs.Gyrostat(gyrostatic_momentum=rotor), linear_field())
     rotations = gs.analyze(gs.permanent_rotation(scene, gs.stereographic()))
@@ -123,8 +128,9 @@ def verdicts() -> Iterator[Row]:
               lambda: pickle.loads(carried).verdict(directions[0]), by_hand, (1, 50))
     lines = 400
     asked, answered = Path(FOLDER.name, "asked.jsonl"), Path(FOLDER.name, "answered.jsonl")
-    asked.write_text("".join(json.dumps({"equilibrium": "E1", **texts[n % 50]}) + "\n" for n in range(lines)))
     def batch():
+        asked.write_text("".join(json.dumps({"equilibrium": "E1", **next(texts)}) + "\n"
+                                 for _ in range(lines)))
         answered.unlink(missing_ok=True)
         with contextlib.redirect_stderr(io.StringIO()):
             if main(["decide", "--batch", str(asked), "--output", str(answered)]):
@@ -140,36 +146,36 @@ def lists() -> Iterator[Row]:
             return Fraction(draw.randint(low * 10**digits, (low + 1) * 10**digits), 10 ** (digits + 1))
         return Fraction(low, 10) + Fraction(draw.randint(10**19, 10**20), draw.randint(10**21, 10**22))
 
-    def body(digits):
-        draw = random.Random(digits)
+    def body(digits, draw):
         return [[number(draw, n, digits) for n in (10, 12, 14)], [number(draw, n, digits) for n in (2, 5, 8)]]
 
-    def all_of(scene, values):
-        return [e.decision for e in gs.relative_equilibria(scene, values)]
+    def lists_of(digits, field, values):
+        """A call that lists the equilibria of another body each time: those of the last one are kept."""
+        draw = random.Random(digits)
+        def run():
+            scene = gs.assemble(gs.Gyrostat(*body(digits, draw)), field)
+            return [e.decision for e in gs.relative_equilibria(scene, values)]
+        return run
 
     scripts, in_flint = baselines.characteristic_polynomials(), "6 × 6 spectra in flint"
     by_newton = "Newton from 2000 starts, NumPy"
     for digits in (1, 16, 20):
-        satellite = gs.assemble(gs.Gyrostat(*body(digits)), gs.circular_orbit(1))
         yield Row(f"list, satellite, numbers of length {digits}", in_flint,
-                  partial(all_of, satellite, {}), scripts)
-        if digits == 1:
-            yield Row("list, satellite, numbers of length 1", by_newton, partial(all_of, satellite, {}),
-                      partial(baselines.attitudes_by_newton, *body(1), 1))
+                  lists_of(digits, gs.circular_orbit(1), {}), scripts)
+    some = body(1, random.Random(1))
+    yield Row("list, satellite, numbers of length 1", by_newton, lists_of(1, gs.circular_orbit(1), {}),
+              partial(baselines.attitudes_by_newton, *some, 1))
     c, k = (0.1, 0.2, 0.3), [gs.symbol(f"k{n}") for n in (1, 2, 3)]
-    linear = sum(Fraction(n, 10) * x for n, x in enumerate(k, 1))
+    U = sum(Fraction(n, 10) * x for n, x in enumerate(k, 1))
+    linear, quadratic = (gs.general_potential(u) for u in (U, U + k[0] * k[1] / 5 + k[2] ** 2 / 4))
     for digits in (1, 16):
-        heavy = gs.assemble(gs.Gyrostat(*body(digits)), gs.general_potential(linear))
         yield Row(f"list, given C1, numbers of length {digits}", in_flint,
-                  partial(all_of, heavy, {"C1": 1}), scripts)
-    heavy = gs.assemble(gs.Gyrostat(*body(1)), gs.general_potential(linear))
-    yield Row("list, given C1, numbers of length 1", by_newton, partial(all_of, heavy, {"C1": 1}),
-              partial(baselines.rotations_by_newton, *body(1), c, np.zeros((3, 3)), level=1))
-    quadratic = gs.general_potential(linear + k[0] * k[1] / 5 + k[2] ** 2 / 4)
-    pulled = gs.assemble(gs.Gyrostat(*body(1)), quadratic)
+                  lists_of(digits, linear, {"C1": 1}), scripts)
+    yield Row("list, given C1, numbers of length 1", by_newton, lists_of(1, linear, {"C1": 1}),
+              partial(baselines.rotations_by_newton, *some, c, np.zeros((3, 3)), level=1))
     Q = [[0, 0.2, 0], [0.2, 0, 0], [0, 0, 0.5]]
-    yield Row("list at a rate, quadratic U", by_newton, partial(all_of, pulled, {"omega": 1}),
-              partial(baselines.rotations_by_newton, *body(1), c, Q, rate=1))
+    yield Row("list at a rate, quadratic U", by_newton, lists_of(1, quadratic, {"omega": 1}),
+              partial(baselines.rotations_by_newton, *some, c, Q, rate=1))
 
 
 def derivations() -> Iterator[Row]:
