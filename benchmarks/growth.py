@@ -181,7 +181,7 @@ def draw(panels: dict[str, dict[str, list[tuple[int, float]]]]) -> None:
             axes.set_xticks(sizes, map(str, sizes))
             axes.set_xticks([], minor=True)
         axes.set(xlabel=grows, ylabel="CPU time, ms")
-        axes.legend(fontsize="small")
+        axes.legend(fontsize="small", loc="lower left", bbox_to_anchor=(0, 1), frameon=False)
     figure.savefig(PICTURE, dpi=130)
 
 
