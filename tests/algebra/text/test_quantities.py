@@ -7,7 +7,8 @@ from sympy import Rational, pi
 
 import gyrostat as gs
 from gyrostat.algebra.text.numbers import exact_number
-from gyrostat.algebra.text.quantities import _UNITS, Dimension, quantity, unit
+from gyrostat.algebra.text.quantities import quantity
+from gyrostat.algebra.text.units import UNITS, Dimension, unit
 from gyrostat.errors import ExpressionError, ValuesError
 
 SI = [("120 kg m^2", 120, (1, 2, 0)), ("3000 rpm", 100 * pi, (0, 0, -1)), ("5 deg", pi / 36, (0, 0, 0)),
@@ -109,7 +110,7 @@ def test_quantities_of_a_library(library):
         exact_number(of(5, "deg"), "I1")
 
 
-@pytest.mark.parametrize("name", [*_UNITS, "kg", "mm", "MN", "arcminute", "pound_force", "kJ", "uW"])
+@pytest.mark.parametrize("name", [*UNITS, "kg", "mm", "MN", "arcminute", "pound_force", "kJ", "uW"])
 def test_units_are_those_of_a_library(name, library):
     """Sizes and dimensions, against pint."""
     text = {"Nm": "N*m", "Nms": "N*m*s", "min": "minute", "h": "hour", "rev": "turn"}.get(name, name)

@@ -8,64 +8,29 @@ A unit stands after a number; in the grammar of expressions no name does.
 from collections.abc import Iterable
 from functools import lru_cache
 from types import MappingProxyType
-from typing import Any, NamedTuple
+from typing import Any
 
-from sympy import Expr, Integer, Mul, Pow, Rational, S, pi
+from sympy import Expr, Mul, Pow, S
 
 from ...errors import ExpressionError, ValuesError, brief
 from ...notation import NOTATION, Use
 from ...registry import free_letters, use_of
 from .grammar import Parser
 from .scanner import numeral
+from .units import INERTIA, LENGTH, MASS, MOMENTUM, NONE, RATE, TIME, TORQUE, UNITS, Dimension, unit
 
 POWER, FACTORS = 9, 8                                  # of a unit, and of units, at most
 
-
-class Dimension(NamedTuple):
-    """The powers of mass, length and time in a quantity."""
-
-    mass: int
-    length: int
-    time: int
-
-    def __str__(self) -> str:
-        """Return the unit in SI; an angle is a pure number."""
-        return " ".join(f"{name}^{power}" if power != 1 else name
-                        for name, power in zip(("kg", "m", "s"), self) if power) or "rad, or none"
-
-
-NONE = Dimension(0, 0, 0)
-_MASS, _LENGTH, _TIME, _RATE = (Dimension(1, 0, 0), Dimension(0, 1, 0), Dimension(0, 0, 1),
-                                Dimension(0, 0, -1))
-_INERTIA, _MOMENTUM, _TORQUE = Dimension(1, 2, 0), Dimension(1, 2, -1), Dimension(1, 2, -2)
-_FORCE = Dimension(1, 1, -2)
 # of what is not in the table of notation
 _BESIDE = MappingProxyType({
-    "inertia": _INERTIA, "gyrostatic_momentum": _MOMENTUM, "axial": _INERTIA, "transverse": _INERTIA,
-    "rate": _RATE, "momentum": _MOMENTUM, "M": _MOMENTUM, "C1": _MOMENTUM,
-    "energy": _TORQUE, "axis": NONE, "orbit rate": _RATE, "orbit mu": Dimension(0, 3, -2),
-    "orbit radius": _LENGTH, "angle of roll": NONE, "angle of pitch": NONE, "angle of yaw": NONE,
-    "direction": NONE, "resolution": NONE, "sizes": NONE, "l/(I_pitch ω0)": NONE, "t": _TIME,
-    "transverse rate": _RATE, "axial rate": _RATE, "--transverse": _RATE, "--axial": _RATE, "mass": _MASS,
-    "coupling": Dimension(1, 1, 0), "--energy": _TORQUE, "--momentum": _MOMENTUM, "--until": _TIME,
-    "--step": _TIME})
-_FOOT, _POUND, _GRAVITY = Rational("0.3048"), Rational("0.45359237"), Rational("9.80665")
-# for each its SI number, exact, its dimension, and whether it takes the prefixes of SI
-_UNITS: dict[str, tuple[Expr, Dimension, bool]] = {
-    "g": (Rational(1, 1000), _MASS, True), "m": (S.One, _LENGTH, True), "s": (S.One, _TIME, True),
-    "rad": (S.One, NONE, True), "N": (S.One, _FORCE, True), "J": (S.One, _TORQUE, True),
-    "W": (S.One, Dimension(1, 2, -3), True), "Nm": (S.One, _TORQUE, True), "Nms": (S.One, _MOMENTUM, True),
-    "min": (Integer(60), _TIME, False), "h": (Integer(3600), _TIME, False),
-    "deg": (pi / 180, NONE, False), "arcmin": (pi / 10800, NONE, False), "arcsec": (pi / 648000, NONE, False),
-    "rev": (2 * pi, NONE, False), "rpm": (pi / 30, _RATE, False),
-    "in": (_FOOT / 12, _LENGTH, False), "ft": (_FOOT, _LENGTH, False), "lb": (_POUND, _MASS, False),
-    "lbf": (_POUND * _GRAVITY, _FORCE, False), "slug": (_POUND * _GRAVITY / _FOOT, _MASS, False)}
-_WORDS = {"gram": "g", "kilogram": "kg", "meter": "m", "metre": "m", "second": "s", "radian": "rad",
-          "newton": "N", "joule": "J", "watt": "W", "minute": "min", "hour": "h", "degree": "deg",
-          "arcminute": "arcmin", "arcsecond": "arcsec", "turn": "rev", "revolution": "rev",
-          "revolutions_per_minute": "rpm", "foot": "ft", "inch": "in", "pound": "lb", "pound_mass": "lb",
-          "lbm": "lb", "pound_force": "lbf", "force_pound": "lbf"}
-_PREFIXES = {"n": -9, "u": -6, "m": -3, "c": -2, "k": 3, "M": 6, "G": 9}
+    "inertia": INERTIA, "gyrostatic_momentum": MOMENTUM, "axial": INERTIA, "transverse": INERTIA,
+    "rate": RATE, "momentum": MOMENTUM, "M": MOMENTUM, "C1": MOMENTUM,
+    "energy": TORQUE, "axis": NONE, "orbit rate": RATE, "orbit mu": Dimension(0, 3, -2),
+    "orbit radius": LENGTH, "angle of roll": NONE, "angle of pitch": NONE, "angle of yaw": NONE,
+    "direction": NONE, "resolution": NONE, "sizes": NONE, "l/(I_pitch ω0)": NONE, "t": TIME,
+    "transverse rate": RATE, "axial rate": RATE, "--transverse": RATE, "--axial": RATE, "mass": MASS,
+    "coupling": Dimension(1, 1, 0), "--energy": TORQUE, "--momentum": MOMENTUM, "--until": TIME,
+    "--step": TIME})
 
 
 @lru_cache(maxsize=512)
@@ -76,22 +41,6 @@ def dimension_of(name: str) -> Dimension | None:
         return _BESIDE.get(name, _BESIDE.get(name.partition(" of ")[0]))       # inertia of a named body
     energy, rate = entry.dimension
     return Dimension(energy, 2 * energy + entry.length, -rate)
-
-
-def unit(name: str) -> tuple[Expr, Dimension] | None:
-    """Return a unit in SI, exactly, and its dimension; None if there is none of that name.
-
-    Examples
-    --------
-    >>> unit("mm")[0], unit("rpm")[0], unit("furlong")
-    (1/1000, pi/30, None)
-    """
-    name = _WORDS.get(name, name)
-    if name in _UNITS:
-        return _UNITS[name][:2]
-    size, dimension, prefixed = _UNITS.get(name[1:], (S.One, NONE, False))
-    power = _PREFIXES.get(name[:1])
-    return (size * Pow(Integer(10), power), dimension) if prefixed and power is not None else None
 
 
 class _Quantity(Parser):
@@ -130,7 +79,7 @@ class _Quantity(Parser):
         found = unit(name) if kind == "name" else None
         if found is None:
             self.fail(f"{name!r} is no unit" if name else "it ends too early",
-                      f"the units are {', '.join(_UNITS)}, kg and others with prefixes; write * between "
+                      f"the units are {', '.join(UNITS)}, kg and others with prefixes; write * between "
                       "factors that are none")
         self.place += 1
         return found

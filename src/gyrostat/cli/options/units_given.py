@@ -4,7 +4,7 @@ import re
 from collections.abc import Iterator
 from typing import Any
 
-from ...algebra.text.quantities import unit
+from ...algebra.text.units import unit
 from .scene_files import scene_of_file
 
 # a unit stands after a number, and a blank or none
