@@ -2,9 +2,10 @@
 from fractions import Fraction
 
 import pytest
+from flint import fmpz_poly
 from sympy import Rational
 
-from gyrostat.algebra.solving.root_numbers import roots_of
+from gyrostat.algebra.solving.root_numbers import refuse_touching, roots_of
 from gyrostat.errors import ScopeError
 
 
@@ -45,3 +46,12 @@ def test_roots_of_too_different_sizes_are_refused(middle):
     coefficients = [1, middle, 0, 1] if middle > 1 else [1, 0, 1, middle]
     with pytest.raises(ScopeError, match="of so different sizes .*: leave out what is far too small"):
         roots_of(list(map(Rational, coefficients)))
+
+
+def test_roots_too_close_for_all_complex_ones_are_refused():
+    """Roots 2⁻²⁰⁰⁰ apart are, and not those at a moderate distance or a double one."""
+    x = fmpz_poly([0, 1])
+    for allowed in ((x - 1) * (x - 2), (x - 1) ** 2 * (x - 2), (2**40 * x - 2**40 - 1) * (x - 1)):
+        refuse_touching(allowed)
+    with pytest.raises(ScopeError, match="no longer told apart"):
+        refuse_touching((2**2000 * x - 2**2000 - 1) * (x - 1))

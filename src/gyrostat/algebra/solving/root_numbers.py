@@ -21,6 +21,9 @@ from ..enclosures.real_roots import isolated_roots
 
 BITS = 256                                             # of a root that SymPy is lent
 APART = 600                                            # bits, for each root
+DIFFERENT = ("these numbers are of so different sizes that equilibria, or the quantities that decide their "
+             "stability, are no longer told apart: leave out what is far too small to matter, or make "
+             "smaller what is far too large")
 MODERATE = 9                                           # powers of ten of roots that are left as they are
 
 
@@ -76,9 +79,27 @@ def refuse_close(polynomial: fmpz_poly) -> None:
     bits, degree = [int(c).bit_length() for c in polynomial.coeffs()], polynomial.degree()
     above = max(degree * b - (degree - n) * bits[0] - n * bits[-1] for n, b in enumerate(bits))
     if above > degree * APART:
-        raise ScopeError("these numbers are of so different sizes that equilibria, or the quantities that "
-                         "decide their stability, are no longer told apart: leave out what is far too small "
-                         "to matter, or make smaller what is far too large")
+        raise ScopeError(DIFFERENT)
+
+
+def refuse_touching(polynomial: fmpz_poly) -> None:
+    """Refuse a polynomial with roots so close that FLINT takes minutes to isolate all complex ones.
+
+    By the discriminant the product of the distances of its roots is compared with that of distances as large
+    as the roots; a double root is none of two close ones.
+
+    Raises
+    ------
+    ScopeError
+        roots lie too close to each other
+    """
+    while not polynomial[0]:
+        polynomial = polynomial.right_shift(1)
+    resultant = polynomial.resultant(polynomial.derivative())
+    discriminant = int(resultant // polynomial.leading_coefficient()).bit_length()
+    ends, degree = [int(polynomial[n]).bit_length() for n in (0, polynomial.degree())], polynomial.degree()
+    if resultant and (degree - 1) * sum(ends) - discriminant > degree * APART:
+        raise ScopeError(DIFFERENT)
 
 
 def _lend(poly: PurePoly) -> None:

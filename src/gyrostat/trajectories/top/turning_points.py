@@ -11,7 +11,7 @@ from flint import acb, arb, arb_poly, ctx, fmpq, fmpq_poly
 from sympy import sqrt
 
 from ...algebra.rings.enclosed_roots import divided_by_root
-from ...algebra.solving.root_numbers import refuse_close
+from ...algebra.solving.root_numbers import refuse_close, refuse_touching
 from ...errors import AccuracyError, ScopeError
 from .level import Level, enclosed
 from .profiles import Profile
@@ -90,7 +90,9 @@ def _ends(level: Level, found: Sequence[tuple[acb, int]]) -> list[tuple[arb, int
 def _of_polynomial(level: Level, g: Sequence[Any]) -> list[tuple[acb, int]]:
     """Return all roots with their multiplicities."""
     if isinstance(g[0], fmpq):
-        refuse_close(fmpq_poly(g).numer())
+        whole = fmpq_poly(g).numer()
+        refuse_close(whole)
+        refuse_touching(whole)
         return [(acb(x), m) for x, m in fmpq_poly(g).complex_roots()]
     left, poles = [enclosed(c) for c in g], []
     for side, m in zip((-1, 1), level.contact):
