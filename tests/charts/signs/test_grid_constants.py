@@ -19,7 +19,7 @@ U1, U2, OMEGA, SIGMA = map(gs.symbol, ("u1", "u2", "omega", "sigma"))
 def margins():
     scene = gs.assemble(gs.Gyrostat((3, 2, "5/2"), (Rational(1, 3), Rational(1, 5), Rational(1, 2))),
                         gs.general_potential(LINEAR))
-    report = gs.analyze(gs.permanent_rotation(scene, gs.stereographic()))
+    report = gs.analyze(gs.permanent_rotation(scene, gs.stereographic())).written_out
     return [c.margin for criterion in (report.sufficient, report.necessary)
             for c in criterion.alternatives[0]]
 

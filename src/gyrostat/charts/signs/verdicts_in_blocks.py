@@ -95,6 +95,7 @@ class Decided:
         if decided and not self.damped:
             return
         if self.damped:                                # an exception, or no exception: unstable
+            out[out == OPEN] = UNSTABLE                # where its only margin is 0 the criterion fails, too
             between = (out == UNSTABLE) & self._exceptional(block)
         else:
             between = out == OPEN
