@@ -3,6 +3,7 @@ import argparse
 import re
 import sys
 from collections.abc import Iterator
+from difflib import get_close_matches
 from typing import NoReturn
 
 from .output import fitted
@@ -18,8 +19,6 @@ class Parser(argparse.ArgumentParser):
 
     def error(self, message: str) -> NoReturn:
         """End with status 2, the usage and the message on standard error."""
-        from difflib import get_close_matches  # only for who mistyped
-
         unknown = _UNKNOWN.search(message)
         word = (unknown[1] or unknown[2]) if unknown else ""
         alike = [known for known in _words(self) if known.startswith("-") == word.startswith("-")]

@@ -193,8 +193,8 @@ FIELDS = [gs.axial_potential(), gs.uniform_field(), gs.axial_potential(lambda k3
 
 
 @pytest.mark.slow
-def test_a_report_is_pickled_without_what_was_derived():
-    """In this process and in another, before and after it was used; what is derived again is the same."""
+def test_a_report_is_pickled_with_what_its_verdicts_need():
+    """In this process and in another, before and after it was used; the conditions are the same."""
     used, texts = [], []
     for field in FIELDS:
         body = (
@@ -212,7 +212,6 @@ def test_a_report_is_pickled_without_what_was_derived():
         wanted = report.necessary, report.sufficient, report.boundary, report.required, report.parameters
         used.append(pickle.dumps(report))
         texts.append(f"{report.necessary.alternatives} {report.required}")
-        assert len(used[-1]) == len(fresh)
         for data in (fresh, used[-1]):
             again = pickle.loads(data)
             assert again == report

@@ -5,7 +5,7 @@ What is divided by is positive, so that its powers need only be counted: they ch
 from collections.abc import Mapping
 from fractions import Fraction
 from math import gcd, lcm
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from flint import fmpq_mpoly
 from sympy import Expr, Integer, Rational
@@ -13,8 +13,8 @@ from sympy import Expr, Integer, Rational
 from ...algebra.rings.polynomials import Ring, cancel
 from ...algebra.rings.readable import readable
 
-if TYPE_CHECKING:
-    from .straightline import Term, Writer
+Term = tuple[int, bool]                                # a step, and whether it counts negatively
+Writer = Any                                           # of straightline, which imports this module
 
 
 class Quotient:
@@ -38,7 +38,7 @@ class Quotient:
 
     __slots__ = ("powers", "scale", "term", "writer")
 
-    def __init__(self, writer: "Writer", scale: Fraction, term: "Term | None" = None,
+    def __init__(self, writer: Writer, scale: Fraction, term: Term | None = None,
                  powers: Mapping[int, int] | None = None):
         self.writer, self.scale, self.term, self.powers = writer, scale, term, powers or {}
 
@@ -96,7 +96,7 @@ class Quotient:
             scale, powers[step] = abs(scale), powers.get(step, 0) - 1
         return Quotient(self.writer, scale, None, powers) * other
 
-    def signed(self) -> "Term":
+    def signed(self) -> Term:
         """Return a step that has the sign of the number."""
         step, negative = self.term or self.writer.write(Integer(1))
         return step, negative != (self.scale < 0)
@@ -112,7 +112,7 @@ class Quotient:
     def _like(self, other: Any) -> "Quotient":
         return other if isinstance(other, Quotient) else Quotient(self.writer, Fraction(other))
 
-    def _over(self, factor: int, common: Mapping[int, int]) -> "Term":
+    def _over(self, factor: int, common: Mapping[int, int]) -> Term:
         """Return factor · term · Π stepⁿ without the scale and the common powers."""
         terms = [*([self.term] if self.term is not None else []),
                  *((self.writer.power(step, self.powers.get(step, 0) - n), False)
@@ -123,7 +123,7 @@ class Quotient:
         return step, negative != (factor < 0)
 
 
-def quotient(expression: Expr, writer: "Writer") -> Any:
+def quotient(expression: Expr, writer: Writer) -> Any:
     """Return a fraction of polynomials as a quotient, or as a Fraction if it is a rational number.
 
     A factor of the denominator that is not plainly positive is replaced by its square.

@@ -21,10 +21,9 @@ from sympy import Add, Expr, Integer, Mul, Pow, Rational, Symbol
 from ...algebra.enclosures.arithmetic import Arithmetic, in_arithmetic
 from ...algebra.rings.readable import readable
 from ...notation import symbol
-from .quotients import Quotient, quotient
+from .quotients import Quotient, Term, quotient
 
 Axes = frozenset[int]
-Term = tuple[int, bool]                                    # a step, and whether it counts negatively
 Operation = Literal["leaf", "constant", "add", "subtract", "multiply", "negative"]
 Value = TypeVar("Value")
 OPERATORS = SimpleNamespace(add=operator.add, subtract=operator.sub, multiply=operator.mul,

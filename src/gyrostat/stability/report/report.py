@@ -28,6 +28,9 @@ class Report(Ladder):
     Parameters
     ----------
     equilibrium : Equilibrium
+    expanded : bool
+        whether long conditions of permanent rotations are written out; default False: they are in names that
+        are defined in turn
 
     Examples
     --------
