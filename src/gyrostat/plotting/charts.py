@@ -4,6 +4,7 @@ from typing import Any
 
 import numpy as np
 
+from .._lazy import loaded
 from ..algebra.enclosures.floats import Array
 from ..arguments import checked
 from ..errors import ValuesError, optional, require
@@ -123,12 +124,11 @@ def _image(ax: Any, verdict: Array, edges: tuple[Array, Array], codes: dict[str,
            kwargs: dict[str, Any]) -> None:
     from matplotlib.colors import BoundaryNorm, ListedColormap
 
-    from .cells import Cells
     order = sorted(LOOKS, key=lambda name: codes[name])
     bounds = [codes[name] - 0.5 for name in order] + [codes[order[-1]] + 0.5]
     given = {"cmap": ListedColormap([LOOKS[name][0] for name in order]),
              "norm": BoundaryNorm(bounds, len(order)), **kwargs}
-    ax.add_image(Cells(ax, verdict, edges, **given))
+    ax.add_image(loaded("plotting.cells:Cells")(ax, verdict, edges, **given))
 
 
 def _hatched(ax: Any, x: Array, y: Array, edges: tuple[Array, Array], where: Array, name: str) -> None:
