@@ -8,7 +8,6 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from matplotlib.collections import QuadMesh
 from matplotlib.colors import to_hex
 from matplotlib.figure import Figure
 from sympy import Rational, cos, diff, exp, lambdify, log, sin, sqrt, symbols
@@ -129,22 +128,14 @@ def charts(draw):
 
 
 def cells(ax):
-    """Colours of the cells as verdicts, and the places of their middles."""
-    meshes = [c for c in ax.collections if isinstance(c, QuadMesh)]
-    (image,) = [*ax.images, *meshes]
+    """Colours of the cells as verdicts, and their ends along x and y."""
+    (image,) = ax.images
     data = np.ma.getdata(image.get_array())
     codes = np.vectorize(lambda value: COLOURS[to_hex(image.cmap(image.norm(value)))], otypes=[int])(data)
-    if meshes:
-        corners = image.get_coordinates()
-        x, y = corners[0, :, 0], corners[:, 0, 1]
-        return codes, (x[1:] + x[:-1]) / 2, (y[1:] + y[:-1]) / 2
+    x, y = image.edges                                     # that pixels lie between them is tested with cells
     left, right, bottom, top = image.get_extent()
-    rows, columns = codes.shape
-    return (
-        codes,
-        left + (right - left) * (np.arange(columns) + 0.5) / columns,
-        bottom + (top - bottom) * (np.arange(rows) + 0.5) / rows,
-    )
+    assert (left, right, bottom, top) == (x[0], x[-1], y[0], y[-1])
+    return codes, x, y
 
 
 def check(case):
@@ -167,9 +158,9 @@ def check(case):
     assert codes.shape == (len(ys), len(xs)) and [
         text.split(" $[")[0] for text in (ax.get_xlabel(), ax.get_ylabel())] == [
         f"${chart[name].attrs['latex']}$" for name in (x, y)]
-    for values, middles in ((xs, here), (ys, there)):  # a cell holds its point, of an image in its middle
-        widths = np.diff(values)
-        assert (abs(values - middles) < (widths.min() / 99 if ax.images else widths.max() / 2)).all()
+    for values, ends in ((xs, here), (ys, there)):     # cells end half-way between their points
+        assert np.allclose(ends[1:-1], (values[1:] + values[:-1]) / 2, rtol=0, atol=1e-9)
+        assert ends[0] < values[0] and values[-1] < ends[-1]
     expected = at(xs[None, :], ys[:, None])
     known = expected != 0
     assert (codes == expected)[known].all(), (x, y, fixed)
