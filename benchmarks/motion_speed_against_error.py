@@ -223,7 +223,7 @@ def main():
                 *table(case, rows, given.limit), "")
             wrong += failures(case, rows) if given.quick else []
     say("### In short", "", *short_table(panels), "",
-        *checks(list({case.name: case for case, _, _ in panels}.values()), wrong), "")
+        "### To 40 digits, and late", "", *checks(list({case.name: case for case, _, _ in panels}.values()), wrong), "")
     long = next(case for case in cases(given.quick) if case.revolution and case.slope[2] == 1)
     times = [*long.times.values()]
     if heyoka:
