@@ -222,8 +222,9 @@ def main():
             say(f"## {case.name}, {label}", "", f"Reference: {source}.", "",
                 *table(case, rows, given.limit), "")
             wrong += failures(case, rows) if given.quick else []
+    some = list({case.name: case for case, _, _ in panels}.values())
     say("### In short", "", *short_table(panels), "",
-        "### To 40 digits, and late", "", *checks(list({case.name: case for case, _, _ in panels}.values()), wrong), "")
+        "### To 40 digits, and late", "", *checks(some, wrong), "")
     long = next(case for case in cases(given.quick) if case.revolution and case.slope[2] == 1)
     times = [*long.times.values()]
     if heyoka:
