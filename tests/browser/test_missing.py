@@ -82,7 +82,7 @@ def test_a_computation_that_fails_or_lasts_is_said_and_the_library_starts_again(
     assert typed(page, "potential", "m0*k3") == ("Stable", "") and page.is_hidden("#notice")
 
     stranger.set_offline(True)
-    ended(page)
+    outlast(page)                                          # what it says then gives way to the next sentence
     assert leads_on(page, "The library could not be started")
     assert "not running" in typed(page, "potential", "m0*k3")[1]
     stranger.set_offline(False)
@@ -90,11 +90,16 @@ def test_a_computation_that_fails_or_lasts_is_said_and_the_library_starts_again(
     assert shown(page) == ("Stable", "")
 
 
-def ended(page):
-    """A field is typed whose conditions take longer than the page waits."""
+def outlast(page):
+    """Type a field whose conditions take longer than the page waits."""
     page.fill("#potential", SLOW)
     page.clock.fast_forward(1000)
     page.clock.fast_forward(11_000)
+
+
+def ended(page):
+    """That the computation was ended is said, and nothing else is shown."""
+    outlast(page)
     verdict, refused = shown(page)
     assert verdict == "verdict" and "longer than 10 s" in refused and "your own machine" in refused
     assert page.inner_text("#no-chart") == "no chart: the scene has no answer"
