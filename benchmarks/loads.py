@@ -3,7 +3,7 @@
     python benchmarks/loads.py            the table, into docs/explanation/design.md
     python benchmarks/loads.py --quick    once each, for breakage; writes nothing
 
-Times are CPU times of whole processes over that of `import sympy`, in turn with it, medians of 3.
+Times are CPU times of whole processes over that of `import sympy`, in turn with it, medians of 9.
 """
 import argparse
 import os
@@ -72,7 +72,7 @@ def main() -> None:
     arguments.add_argument("--quick", action="store_true")
     quick = arguments.parse_args().quick
     ratios: dict[str, list[float]] = {name: [] for name in COMMANDS}
-    for _ in range(1 if quick else 3):
+    for _ in range(1 if quick else 9):
         for name, command in COMMANDS.items():
             alone = seconds([sys.executable, "-c", "import sympy"])
             ratios[name].append(seconds([sys.executable, "-m", "gyrostat", *command]) / alone)
