@@ -105,7 +105,8 @@ def draw_eigenvalues(eq: Equilibrium, name: str, samples: Sequence[float], value
     headed(ax, f"Eigenvalues of the linearised field along {label(name)}", ([eq.label, *above], shown),
            handles, 1, after="Arrows point the way the parameter goes" + (
                ", and its values stand beside the collisions" if handles else ""))
-    room(ax)
+    for _ in range(2):                                 # limits follow the room, and then no more
+        room(ax)
     written_at(ax, values_at, 10)
     return ax
 
