@@ -54,12 +54,12 @@ class Attitude:
     Examples
     --------
     >>> import gyrostat as gs
-    >>> body = gs.Gyrostat((60, 70, 35), (12, 5, 0))
+    >>> body = gs.Gyrostat((60, 70, 35), (0, 30, 0))
     >>> scene = gs.assemble(body, gs.circular_orbit(1))
-    >>> attitude = gs.relative_equilibria(scene, {})[0].attitude
-    >>> print(attitude)
-    roll 180°, pitch 0°, yaw 123.6°
-    >>> attitude.scalar_first, attitude.scalar_last
+    >>> found = gs.relative_equilibria(scene, {})
+    >>> print(found[2].attitude)
+    roll 90°, pitch 0°, yaw −108°
+    >>> found[2].attitude.scalar_first
     """
 
     NAMES: ClassVar = tuple(f"{axis}{n}" for axis in "tnr" for n in (1, 2, 3))

@@ -50,9 +50,13 @@ def table(found: Sequence[RelativeEquilibrium]) -> list[dict[str, Any]]:
     >>> scene = gs.assemble(body, gs.circular_orbit(1))
     >>> rows = gs.table(gs.relative_equilibria(scene, {}))
     >>> len(rows), sorted({row["verdict"] for row in rows})
-    (18, ['STABLE', 'UNSTABLE'])
+    (20, ['STABLE', 'UNSTABLE'])
     >>> for name in ("number", "roll_deg", "yaw_deg", "frequency_1_per_orbit"):
     ...     print(name, rows[-2][name])
+    number 19
+    roll_deg 0.0
+    yaw_deg 44.76110019146366
+    frequency_1_per_orbit 0.5450428616011218
     """
     return aligned(row(e, e.label, e.decision, e.damped) for e in found)
 
