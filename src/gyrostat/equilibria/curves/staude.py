@@ -128,7 +128,7 @@ class StaudeCone(Shown, Stored):
         turned = StaudeCone(here).turned
         if recognise(here):
             rotor = f", l = {here.body.gyrostatic_momentum}" if turned else ""
-            raise ScopeError(f"U = {here.potential.expression}{rotor}: the body is one of revolution "
+            raise ScopeError(f"c = {c}{rotor}: the body is one of revolution "
                              "in its field, and the axes of its permanent rotations form whole circles: "
                              "use relative_equilibria")
         return [Arc(*found) for found in (rate_curves(here, c) if turned else cone_curves(here, c))]
