@@ -85,8 +85,8 @@ __all__ = [
     "relative_equilibria", "RelativeEquilibrium", "release", "Report", "Rotor",
     "Rung", "Solution", "solve_condition", "SolvedCondition", "Spectrum", "spectrum", "stabilizing_set",
     "static_tilt", "staude_cone", "StaudeCone", "steady_motion", "stereographic", "symbol",
-    "symmetric_gyrostat", "System", "table", "to_latex", "trajectories", "underwater_vehicle", "uniform_field",
-    "upright", "Verdict", "Window",
+    "symmetric_gyrostat", "System", "table", "to_latex", "trajectories", "underwater_vehicle",
+    "uniform_field", "upright", "Verdict", "Window",
 ]
 
 __getattr__, __dir__ = _later(__name__, {

@@ -86,7 +86,8 @@ def test_the_frame_with_z_to_the_earth_has_other_signs():
     found = listed(gs.Gyrostat((1, "5/4", "8/5"), ("3/10", "1/5", "1/10")))[0].attitude
     assert min(abs(found.pitch), abs(found.yaw)) > 1
     turned_over = mpmath.diag([1, -1, -1]) * mpmath.matrix(found.matrix)
-    assert far(about(2, -found.yaw) * about(1, -found.pitch) * about(0, found.roll + 180), turned_over) < 1e-14
+    angles = about(2, -found.yaw) * about(1, -found.pitch) * about(0, found.roll + 180)
+    assert far(angles, turned_over) < 1e-14
 
 
 def test_rates_per_orbit_and_doubling_time():
@@ -94,7 +95,8 @@ def test_rates_per_orbit_and_doubling_time():
     per_orbit = set()
     for e in listed(RIGID, "sqrt(2)/1000")[:6]:
         doubles, rate = e.doubles, math.sqrt(2) / 1000
-        assert doubles.frequencies_per_orbit == pytest.approx([x / rate for x in doubles.frequencies], rel=1e-15)
+        assert doubles.frequencies_per_orbit == pytest.approx(
+            [x / rate for x in doubles.frequencies], rel=1e-15)
         per_orbit |= set(doubles.frequencies_per_orbit)
         assert (doubles.doubling_time is None) == (doubles.growth_rate is None)
         if doubles.growth_rate:

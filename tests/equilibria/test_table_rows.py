@@ -62,8 +62,7 @@ def spectrum(name, row):
 
 @pytest.mark.parametrize("name", SCENES)
 def test_rows_have_the_spectra_of_the_equations_of_motion(name):
-    """Frequencies, growth rate, doubling time; the verdicts are those of the list, with which rows are numbered.
-    """
+    """Frequencies, growth rate, doubling time; verdicts and numbers are those of the list."""
     equilibria = found(name)
     rows = gs.table(equilibria)
     assert [row["number"] for row in rows] == list(range(1, len(equilibria) + 1))

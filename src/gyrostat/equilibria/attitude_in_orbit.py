@@ -57,9 +57,10 @@ class Attitude:
     >>> body = gs.Gyrostat((60, 70, 35), (0, 30, 0))
     >>> scene = gs.assemble(body, gs.circular_orbit(1))
     >>> found = gs.relative_equilibria(scene, {})
-    >>> print(found[2].attitude)
-    roll 90°, pitch 0°, yaw −108°
-    >>> found[2].attitude.scalar_first
+    >>> print(found[3].attitude)
+    roll 102.4°, pitch 0°, yaw 0°
+    >>> found[3].attitude.scalar_last
+    (0.7791937224739796, 0.0, 0.0, 0.6267831705280087)
     """
 
     NAMES: ClassVar = tuple(f"{axis}{n}" for axis in "tnr" for n in (1, 2, 3))
@@ -132,8 +133,8 @@ def _quaternion(rows: Rows, near: Matrix) -> tuple[float, ...]:
 def _angles(rows: Rows, singular: bool) -> tuple[float | None, float, float | None, str]:
     """Return roll, pitch and yaw, and what is determined if the matrix is singular.
 
-    R = Rz(yaw) Ry(pitch) Rx(roll) has the last row (−sin pitch, cos pitch sin roll, cos pitch cos roll) and the
-    first column cos pitch (cos yaw, sin yaw). If cos pitch = 0, it is Rz(yaw ∓ roll) Ry(±90°).
+    R = Rz(yaw) Ry(pitch) Rx(roll) has the last row (−sin pitch, cos pitch sin roll, cos pitch cos roll), and
+    its first column begins with cos pitch (cos yaw, sin yaw). If cos pitch = 0, it is Rz(yaw ∓ roll) Ry(±90°).
     """
     if not singular:
         def found(precision: int) -> list[arb]:

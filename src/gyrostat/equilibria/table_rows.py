@@ -24,8 +24,8 @@ def table(found: Sequence[RelativeEquilibrium]) -> list[dict[str, Any]]:
     - growth_rate [1/T] and doubling_time [T]
     - growing_modes under internal damping
     - locus: the set of equilibria to which it belongs, in words
-    - notion and scope: which stability is meant, and what is divided out; reason, damped_reason; note, what is
-      unusual about the body
+    - notion and scope: which stability is meant, and what is divided out; reason and damped_reason; note:
+      what is unusual about the body
 
     Parameters
     ----------
@@ -68,7 +68,7 @@ def row(found: RelativeEquilibrium | None, label: str, decision: Decision, dampe
     if found is not None:
         cells |= _numbers(found) | {"locus": found.locus}
     return cells | {"growing_modes": None if damped is None else damped.growing,
-                    "notion": decision.notion.value or None, "scope": decision.scope, "reason": decision.reason,
+                    "notion": decision.notion.value, "scope": decision.scope, "reason": decision.reason,
                     "damped_reason": None if damped is None else damped.reason, "note": decision.note}
 
 

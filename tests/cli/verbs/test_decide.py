@@ -39,8 +39,9 @@ def test_decide_as_data(capsys):
     _, out, _ = decide(capsys, "--equilibrium", "E1", *HEAVY, *settings(I1=1, I3=9, l=0, m0=1, pi3_0=3),
                        "--format", "json")
     (e1,) = json.loads(out)["equilibria"]
-    assert set(e1) == {"number", "label", "locus", "place", "attitude", "frequencies", "frequencies_per_orbit",
-                       "growth_rate", "doubling_time", "decision", "damped_decision", "itself"}
+    assert set(e1) == {"number", "label", "locus", "place", "attitude", "frequencies",
+                       "frequencies_per_orbit", "growth_rate", "doubling_time", "decision",
+                       "damped_decision", "itself"}
     assert e1["place"] == {} and e1["frequencies"] is e1["growth_rate"] is e1["itself"] is None
     assert set(e1["decision"]) == {"verdict", "notion", "modulo", "level", "locus", "rung", "proved",
                                    "reason", "margins", "certificate", "note"}

@@ -19,7 +19,7 @@ X = Symbol("x")
 
 
 class AlgebraicNumber(NamedTuple):
-    """The irreducible primitive polynomial of a number, and two fractions between which it is the one root."""
+    """The irreducible primitive polynomial of a number, and two ends between which it is the one root."""
 
     polynomial: fmpz_poly
     low: Fraction
@@ -69,8 +69,7 @@ def _polynomial(number: Expr) -> fmpz_poly:
 
 @lru_cache(maxsize=64)
 def _of_conjugates(value: Expr, factor: Rational, polynomial: Poly) -> fmpz_poly:
-    """Return the polynomial of a value at every root of a polynomial; with a factor, of its square times that.
-    """
+    """Return the polynomial of a value at every root of another; with a factor, of its square times that."""
     modulus = fmpq_poly(over_integers(polynomial))
     element = _in_field(value, modulus)
     return _of_element(element if factor == 1 else element**2 * to_flint(factor), modulus)

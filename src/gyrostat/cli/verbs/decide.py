@@ -92,19 +92,19 @@ def form_of(given: argparse.Namespace) -> str:
     ValuesError
         exact numbers are asked for in another form than JSON, or in that of a batch
     """
-    named = _OF_SUFFIX.get(Path(given.output).suffix.lower()) if given.output and given.batch is None else None
-    form = given.format or named or "text"
+    path = given.output if given.batch is None else None
+    form = str(given.format or path and _OF_SUFFIX.get(Path(path).suffix.lower()) or "text")
     if given.exact and (form != "json" or given.batch is not None):
-        raise ValuesError("--exact gives polynomials in JSON, and another form is written: add --format json, "
-                          "or leave --exact out; --full prints exact numbers as text")
+        raise ValuesError("--exact gives polynomials in JSON, and another form is written: add --format "
+                          "json, or leave --exact out")
     return form
 
 
 def _text_or_json(form: str, what: str) -> None:
     """Refuse another form of what is no table of equilibria."""
     if form not in ("text", "json"):
-        raise ValuesError(f"--format {form} writes a table of equilibria, and {what} is none: leave it out, or "
-                          "write --format json")
+        raise ValuesError(f"--format {form} writes a table of equilibria, and {what} is none: leave it out, "
+                          "or write --format json")
 
 
 def _in_si(given: argparse.Namespace) -> list[Block]:
@@ -136,8 +136,8 @@ def _attitude(answer: Answer, units: bool) -> list[Block]:
     shown: dict[str, str] = {}
     if found.attitude is not None:
         per_orbit = found.doubles.frequencies_per_orbit or ()
-        shown |= {"attitude": str(found.attitude),
-                  "quaternion (w, x, y, z)": f"({', '.join(f'{x:.6f}' for x in found.attitude.scalar_first)})",
+        quaternion = ", ".join(f"{x:.6f}" for x in found.attitude.scalar_first)
+        shown |= {"attitude": str(found.attitude), "quaternion (w, x, y, z)": f"({quaternion})",
                   **{f"{unicode(symbol(f'frequency_{n}'))} per orbit": f"{x:.6g}"
                      for n, x in enumerate(per_orbit, 1)}}
     if (time := found.doubles.doubling_time) is not None:

@@ -12,9 +12,9 @@ WORKING = Context(prec=10**5)
 
 
 def exact_data(number: Expr) -> dict[str, Any] | None:
-    """Return the polynomial in x and the ends of the interval; the expression if the number is transcendental.
+    """Return the polynomial in x and the ends of the interval.
 
-    None if only digits of it are known.
+    For a transcendental number it is the expression; None if only digits of the number are known.
 
     Examples
     --------

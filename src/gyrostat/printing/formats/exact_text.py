@@ -43,8 +43,9 @@ def short_text(number: Expr) -> str:
     --------
     >>> from sympy import CRootOf, Symbol, sqrt
     >>> x = Symbol("x")
-    >>> short_text(sqrt(2) / 2), short_text(CRootOf(x**9 - 3*x**7 - 12*x**5 + 6*x**4 - 87*x**2 - 1, 0))
-    ('sqrt(2)/2', '-1.8945063024206963')
+    >>> root = CRootOf(x**9 - 3*x**7 - 12*x**5 + 6*x**4 - 87*x**2 - 1, 0)
+    >>> short_text(sqrt(2) / 2), short_text(sqrt(2) * root)
+    ('sqrt(2)/2', '-2.8516457153309254')
     """
     text = exact_text(number)
     if len(text) <= LONGEST or not (near := accurate(number, BITS)).is_finite():

@@ -37,10 +37,11 @@ def _table(caption: str, columns: Sequence[Column], notes: Sequence[str], paper:
     for n, note in enumerate(notes):
         rows.append(_row([c.cells[n] for c in columns]))
         if note:
-            below = rf"\multicolumn{{{len(columns) - 1}}}{{p{{0.85\linewidth}}}}{{\raggedright {words(note)}}}"
-            rows[-1] += "*"
-            rows.append(rf"& {below} \\")
-    return [rf"\begingroup\{'scriptsize' if len(columns) >= SMALL else 'small'}\setlength{{\tabcolsep}}{{3pt}}",
+            width = rf"{{{len(columns) - 1}}}{{p{{0.85\linewidth}}}}"
+            rows[-1] += "*"                                # no page ends here
+            rows.append(rf"& \multicolumn{width}{{\raggedright {words(note)}}} \\")
+    size = "scriptsize" if len(columns) >= SMALL else "small"
+    return [rf"\begingroup\{size}\setlength{{\tabcolsep}}{{3pt}}",
             rf"\begin{{longtable}}{{@{{}}{''.join('r' if c.number else 'l' for c in columns)}@{{}}}}",
             rf"\caption{{{words(caption)}}}{paper.labelled('equilibria')}\\",
             r"\hline", *(_row(head) for head in heads if any(head)), r"\hline \endhead", r"\hline \endfoot",

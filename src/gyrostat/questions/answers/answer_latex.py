@@ -24,7 +24,7 @@ def answer_latex(answers: Sequence[Answer | Missing], paper: Paper, with_units: 
     rates = _rate_columns(found, with_units)
     said = [legend(found)] if found else []
     if rates:
-        orbital = all(a.at_point is None or a.at_point.doubles.frequencies_per_orbit is not None for a in found)
+        orbital = found[0].found is not None and found[0].found.attitude is not None
         said += [f"{FREQUENCIES}, {'per orbit' if orbital else 'in rad per unit of time'}. {DOUBLING}"]
     columns = [*place_columns(found, with_units), *rates, *verdict_columns(found)] if found else []
     return longtable(counted(found) if found else "", columns, notes_of(found),
@@ -34,12 +34,11 @@ def answer_latex(answers: Sequence[Answer | Missing], paper: Paper, with_units: 
 def _rate_columns(answers: Sequence[Answer], with_units: bool) -> list[Column]:
     """The frequencies, of a satellite per orbit, and the doubling time; none if all vary or are not known."""
     numbers = [None if a.at_point is None else a.at_point.doubles for a in answers]
-    rows = [() if x is None else x.frequencies if (per := x.frequencies_per_orbit) is None else per
-            for x in numbers]
+    rows = [() if x is None else x.frequencies_per_orbit or x.frequencies for x in numbers]
     times = [None if x is None else x.doubling_time for x in numbers]
     in_orbit = any(x is not None and x.frequencies_per_orbit is not None for x in numbers)
     unit = "rad/s" if with_units and not in_orbit else ""
-    columns = [Column(f"f{'₁₂₃'[n]}", [_four(row[n]) if n < len(row) else "" for row in rows], unit, number=True)
+    columns = [Column(f"f{'₁₂₃'[n]}", [_four(row[n]) if n < len(row) else "" for row in rows], unit, True)
                for n in range(min(MOST, max(map(len, rows), default=0)))]
     if any(time is not None for time in times):
         columns.append(Column("T", ["" if time is None else _four(time) for time in times],

@@ -99,7 +99,8 @@ def _label(answer: Answer) -> str:
 def _place(answer: Answer) -> dict[str, str]:
     """Where it lies, and how fast it turns, in cells; of a pole that was named its k3.
 
-    A satellite is placed by roll, pitch and yaw, which is nothing for two of them if pitch is ±90°. A body of revolution is placed by the tilt of its axis; the rate of an orbit, which is given, is left out.
+    A satellite is placed by roll, pitch and yaw; two of them are empty if pitch is ±90°. A body of revolution
+    is placed by the tilt of its axis; the rate of an orbit, which is given, is left out.
     """
     found = answer.found
     if found is None:
