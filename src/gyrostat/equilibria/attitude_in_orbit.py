@@ -134,7 +134,7 @@ def _angles(rows: Rows, singular: bool) -> tuple[float | None, float, float | No
     """Return roll, pitch and yaw, and what is determined if the matrix is singular.
 
     R = Rz(yaw) Ry(pitch) Rx(roll) has the last row (−sin pitch, cos pitch sin roll, cos pitch cos roll), and
-    its first column begins with cos pitch (cos yaw, sin yaw). If cos pitch = 0, it is Rz(yaw ∓ roll) Ry(±90°).
+    its first column cos pitch (cos yaw, sin yaw) above. If cos pitch = 0, it is Rz(yaw ∓ roll) Ry(±90°).
     """
     if not singular:
         def found(precision: int) -> list[arb]:
