@@ -108,7 +108,7 @@ def in_degrees(angle: float) -> str:
 
 def attitude_of(n: Sequence[Expr], r: Sequence[Expr]) -> Attitude:
     """Return the attitude by the normal of the orbit and the vertical in body axes, each shape (3,)."""
-    def rows(precision: int) -> list[list[arb]]:
+    def rows(precision: int) -> Matrix:
         normal, vertical = balls(n, precision), balls(r, precision)
         return [cross(normal, vertical), normal, vertical]
 
