@@ -4,6 +4,7 @@ from typing import Any
 
 from sympy import Add, Expr, ImmutableMatrix, Rational, S, sqrt
 
+from ..._lazy import loaded
 from ...algebra.reals.exact import evaluate, proved_sign
 from ...algebra.rings.matrices import cross
 from ...algebra.solving.real_fields import FieldNumbers
@@ -13,12 +14,12 @@ from ...errors import ScopeError, ValuesError
 from ...mechanics.families.circular_orbit import NORMAL, VERTICAL, by_gradient_alone, orbital_rate
 from ...mechanics.scenes.system import System, at_numbers, names_of_scene
 from ...notation import symbol
-from .orbit_torques import attitude_forms
 from .orbital_form import OrbitalForm
 from .rate_level_tilt import exact_point
 
 N, R = (tuple(symbol(f"{x}{i}") for i in (1, 2, 3)) for x in (NORMAL, VERTICAL))
 CURVE = "a closed curve of equilibria, (l·r)² = 16 ω0² abs(r × Ir)²"
+ANY_FIELD = "equilibria.finders.orbit_torques:attitude_forms"
 SIDES = S.One, S.NegativeOne
 Vector = tuple[Expr, Expr, Expr]
 
@@ -37,13 +38,13 @@ def orbit_forms(scene: System, values: Mapping[str, Any]) -> list[OrbitalForm]:
         raise ValuesError(f"the scene needs {', '.join(missing)}: give a number for each")
     here = at_numbers(scene, dict(numbers))
     if not by_gradient_alone(here):
-        return attitude_forms(here)
+        return loaded(ANY_FIELD)(here)
     rotor = [evaluate(x / orbital_rate(here), {}) for x in here.body.gyrostatic_momentum]
     if isinstance(here.body.inertia, ImmutableMatrix):
         direction, scale = _direction(here, rotor)
         turned = here.body.tensor * ImmutableMatrix(direction)
         across = ImmutableMatrix([direction, list(turned), list(here.body.tensor * turned)]).det()
-        return list(_tilted(here, direction, scale)) if across else attitude_forms(here)
+        return list(_tilted(here, direction, scale)) if across else loaded(ANY_FIELD)(here)
     along = [i for i, x in enumerate(rotor) if x != 0]
     axis = _axis_of_symmetry(here.body.moments)
     if axis is not None and along in ([], [axis]):

@@ -6,6 +6,7 @@ from typing import Any
 from sympy import Expr
 
 from ..._cached import cached_property
+from ..._lazy import loaded
 from ...algebra.enclosures.balls import ball
 from ...algebra.enclosures.precision import doubled, own_precision
 from ...algebra.reals.exact import evaluate, proved_sign
@@ -15,13 +16,11 @@ from ...mechanics.families.circular_orbit import by_gradient_alone, orbital_rate
 from ...mechanics.scenes.system import System
 from ...notation import symbol
 from ...stability.criteria.amended_form import Rows, dot, trace
-from ...stability.damping.secular_two_directions import DEGENERATE as SINGULAR
 from ...stability.decision import Decision, Rung, settled, undecided
 from ...stability.form import PRECISION, Form, Invariants
 from ...stability.notion import Notion
 from ...stability.report.report import Report
 from ...stability.theorems.two_directions import DEGENERATE, HELD, on_curve
-from .amended_orbit import stiffness
 
 OPEN = undecided(HELD)
 
@@ -101,7 +100,8 @@ class OrbitalForm(Form):
         *tensor, rotor, n, r, (w,) = given if precision is None else (balls(x, precision) for x in given)
         along = [w * x for x in n]
         g = [trace(tensor) * x - 2 * dot(row, along) - l for x, row, l in zip(along, tensor, rotor)]
-        return tensor, stiffness(self.scene, n, r, precision), g, along
+        stiffness = loaded("equilibria.finders.amended_orbit:stiffness")(self.scene, n, r, precision)
+        return tensor, stiffness, g, along
 
     def known(self) -> Decision | None:
         """Return the decision of its report if there is an integral, and that on a curve of equilibria.
@@ -122,7 +122,7 @@ class OrbitalForm(Form):
         """
         if self.scene.linear_integrals:
             return Report(self.equilibrium).verdict({}, damped=True)
-        return undecided(SINGULAR) if self.index is None and not by_gradient_alone(self.scene) else None
+        return undecided(DEGENERATE) if self.index is None and not by_gradient_alone(self.scene) else None
 
     def held(self) -> Decision:
         """Return UNDECIDED: no theorem decides if gyroscopic forces alone stabilise it."""
