@@ -1,6 +1,6 @@
 """Turns a list of answers into data for JSON, with the note that all of them have."""
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -51,12 +51,16 @@ def _data(answer: Answer) -> dict[str, Any]:
 def _rates(found: RelativeEquilibrium | None) -> dict[str, Any]:
     """The rates of the small motions; all null if they vary, or if they are not known."""
     names = "frequencies", "frequencies_per_orbit", "growth_rate", "doubling_time"
-    return {name: None if found is None else getattr(found.doubles, name) for name in names}
+    return {name: None if found is None else _finite(getattr(found.doubles, name)) for name in names}
 
 
-def _finite(numbers: Mapping[str, float | None]) -> dict[str, float | None]:
-    """Doubles; null for one that is too large, as JSON has no infinity."""
-    return {name: x if x is not None and math.isfinite(x) else None for name, x in numbers.items()}
+def _finite(numbers: Any) -> Any:
+    """Doubles, several or one; null for one that is too large, as JSON has no infinity."""
+    if isinstance(numbers, dict):
+        return {name: _finite(x) for name, x in numbers.items()}
+    if isinstance(numbers, tuple):
+        return [_finite(x) for x in numbers]
+    return numbers if numbers is not None and math.isfinite(numbers) else None
 
 
 def _exact(answer: Answer) -> dict[str, Any]:
