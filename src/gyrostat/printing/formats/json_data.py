@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from sympy import Expr, Float
 
-from ...algebra.enclosures.balls import accurate
+from ...algebra.enclosures.balls import Enclosed, accurate
 from ...mechanics.scenes.system import System
 from ...stability.criteria.conditions import Condition, Criterion
 from ...stability.criteria.orientation_form import orientation_form, rests_in_frame
@@ -135,12 +135,17 @@ def window_data(window: "Window") -> dict[str, Any]:
 
 def number_data(number: Expr | None) -> dict[str, Any] | None:
     """A number exactly and as a decimal; None stays None."""
-    return None if number is None else {"exact": exact_text(number), "decimal": double(number)}
+    return None if number is None else {"exact": _exactly(number), "decimal": double(number)}
 
 
 def rate_data(number: Expr) -> dict[str, Any]:
     """The same of a number that may be known to some digits only."""
-    return {"exact": None if number.has(Float) else exact_text(number), "decimal": double(number)}
+    return {"exact": None if number.has(Float) else _exactly(number), "decimal": double(number)}
+
+
+def _exactly(number: Expr) -> str | None:
+    """The exact text of a number; None if it has none."""
+    return exact_text(number) if all(x.written for x in number.atoms(Enclosed)) else None
 
 
 def double(number: Expr) -> float | None:
