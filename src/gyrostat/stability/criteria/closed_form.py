@@ -13,9 +13,8 @@ from sympy import Expr, Matrix, Symbol, sympify
 from ..._cached import cached_property
 from ...algebra.enclosures.rationals import to_sympy
 from ...algebra.reals.exact import Point, compiled, evaluate
-from ...algebra.rings.matrices import blocks, cross
+from ...algebra.rings.matrices import cross
 from ...algebra.rings.polynomials import Ring, cancel, lowest_terms
-from ...mechanics.equilibrium.coadjoint_orbit import orbit_tangent
 from ...mechanics.equilibrium.derivation_ring import rows_at_point
 from ...mechanics.equilibrium.derived_once import once
 from ...mechanics.equilibrium.equilibrium import Equilibrium, Relation
@@ -35,7 +34,6 @@ from .amended_form import (
     with_multiplier,
 )
 from .conditions import Condition, Criterion
-from .energy_casimir import form_on, multipliers
 from .numbers_asked import names_in
 
 SHORT = 25                                                 # terms of t with which margins are written out
@@ -166,9 +164,8 @@ class ClosedForm(Stored):
         eq, body = self.equilibrium, self.equilibrium.system.body
         potential, k = eq.system.potential, eq.point[3:]
         assert potential is not None
-        rates = body.inverse * Matrix(eq.point[:3])
         axis = next(n for n, x in enumerate(k) if x != 0)
-        omega = lowest_terms(eq.insert(rates[axis] / k[axis]))
+        omega = lowest_terms(eq.insert(eq.energy_gradient[axis] / k[axis]))
         inertia = [[eq.insert(x) for x in row] for row in body.tensor.tolist()]
         rotor = [eq.insert(l) for l in body.gyrostatic_momentum]
         gradient = [eq.at_point(d) for d in potential.gradient()]
@@ -214,10 +211,15 @@ def in_names(eq: Equilibrium) -> ClosedForm | None:
 
 
 def _splits(eq: Equilibrium) -> bool:
-    """Tell whether the second variation on the orbit is made of several blocks."""
-    casimirs = eq.system.space.casimirs
-    _, form, _ = form_on(eq, orbit_tangent(eq), zip(casimirs, multipliers(eq, casimirs)))
-    return len(blocks(form)) > 1
+    """Tell whether the second variation on the orbit splits into several blocks in the axes of the body.
+
+    It does if two axes span a plane of symmetry of I and of D²U that has k and l in it; or if the body is at
+    rest, and l is along k.
+    """
+    inertia, rotor, hessian, k, omega, _ = closed_form(eq).forms
+    across = ([k[n], rotor[n], *(form[n][m] for form in (inertia, hessian) for m in range(3) if m != n)]
+              for n in range(3))
+    return any(not any(map(lowest_terms, group)) for group in ([omega, *cross(rotor, k)], *across))
 
 
 def _shaped(flat: Sequence[Any]) -> tuple[Any, ...]:
