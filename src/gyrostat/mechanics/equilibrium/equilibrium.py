@@ -12,11 +12,11 @@ from ...errors import EquilibriumError, require
 from ...notation import Stored, Use, jet
 from ...registry import INTERNAL, use_of, why_refused
 from ..scenes.coupled import CoupledPotential, Held
+from ..scenes.equations import field_at, gradient_at
 from ..scenes.potential import smooth_where_positive
 from ..scenes.system import System
-from .at_point import field_at, gradient_at, replaced
 from .near_pole import NearPole, left_positive, near_pole, refuse_rough
-from .relations import refuse_lengths, refuse_motion, residual_of
+from .relations import refuse_lengths, refuse_rate, replaced, residual_of
 
 Relation = tuple[Symbol, Expr]
 Derived = TypeVar("Derived")
@@ -76,8 +76,7 @@ class Equilibrium(Shown, Stored):
         if clash := sorted(name for name in names if name in INTERNAL or use_of(name) is Use.TIME):
             raise EquilibriumError(f"{self.label} depends on {why_refused(clash, names)}")
         object.__setattr__(self, "point", tuple(map(plain, self.point)))   # 0 and ±1, however they are spelt
-        field = field_at(self.system.space, self.energy_gradient, self.at_point)
-        refuse_motion(self.label, field, self.insert)
+        refuse_rate(self.label, field_at(self.system.space, self.energy_gradient, self.at_point), self.insert)
         if self.system.potential:
             self._check_direction()
 
@@ -113,7 +112,8 @@ class Equilibrium(Shown, Stored):
     @cached_property
     def energy_gradient(self) -> tuple[Expr, ...]:
         """The gradient ∇h at the point: ω, then ∇U."""
-        return gradient_at(self.system, self.at_point)
+        scene = self.system
+        return gradient_at(scene.energy_gradient.flat(), None if scene.coupled else scene.body, self.at_point)
 
     @cached_property
     def near_pole(self) -> NearPole | None:

@@ -1,5 +1,6 @@
-"""Solves a relation for a name in which it is affine, tells what is left of it, refuses what is not 0."""
+"""Solves a relation for a name in which it is affine, inserts what names are, and refuses what is not 0."""
 from collections.abc import Callable, Iterable, Sequence
+from typing import Any
 
 from sympy import Expr, S, Symbol
 
@@ -50,7 +51,28 @@ def residual_of(rate: Expr, insert: Callable[[Expr], Expr]) -> Expr | None:
     return residual
 
 
-def refuse_motion(label: str, field: Sequence[tuple[Symbol, Expr]], insert: Callable[[Expr], Expr]) -> None:
+def replaced(expression: Any, known: dict[Symbol, Expr], of: Callable[[Symbol], Expr]) -> Any:
+    """Return an expression or matrix with what each of its symbols becomes, which is found once.
+
+    Parameters
+    ----------
+    expression : Expr or ImmutableMatrix, any shape
+    known : dict of Symbol to Expr
+        what was found; it is added to
+    of : callable
+        tells what a symbol becomes
+
+    Returns
+    -------
+    Expr or ImmutableMatrix, of the same shape
+    """
+    for name in (free := expression.free_symbols) - known.keys():
+        known[name] = of(name)
+    rule = {name: known[name] for name in free if known[name] is not name}
+    return expression.xreplace(rule) if rule else expression
+
+
+def refuse_rate(label: str, field: Sequence[tuple[Symbol, Expr]], insert: Callable[[Expr], Expr]) -> None:
     """Refuse a point at which a rate of the field does not vanish, or is not proved to."""
     ring = Ring(rate for _, rate in field)                 # one for all, as they have long parts in common
     left = [(f"d{coordinate}/dt = {brief(residual)}", is_identically_zero(residual))
