@@ -17,7 +17,7 @@ from .potential import Potential
 def jet_field(space: LiePoisson, energy_gradient: tuple[Expr, ...]) -> ImmutableMatrix:
     """Return B ∇h, with one coefficient for each product of coordinates."""
     return ImmutableMatrix([_collected(component, space.coordinates)
-                            for component in (space.tensor * ImmutableMatrix(energy_gradient)).flat()])
+                            for component in applied(space.tensor.tolist(), energy_gradient)])
 
 
 @lru_cache(maxsize=64)
