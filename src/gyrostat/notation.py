@@ -150,7 +150,6 @@ def _printed() -> Iterator[Entry]:
             ("Delta*", "minors of H, square of a frequency", "d"), ("lamda", "eigenvalue", "Lambda"),
             ("p", "coefficient of λ² in the characteristic polynomial", "P"),
             ("q", "its last coefficient", "Q"), ("t s", "trace and determinant of K", "tau d"),
-            ("a b c", "coefficients of the sextic of a body at rest", "u v w"),
             ("K*", "second variation of the amended potential", "Y Gamma"),
             ("A*", "inertia of the motion near a rotation", "R"), ("v_", "2 ω Ik + l", "w"),
             ("g*", "square of I1 dk3/dt, or gyroscopic vector", "f"), ("c_", "coefficients of g", "b"),
@@ -159,7 +158,7 @@ def _printed() -> Iterator[Entry]:
             ("N P", "numerator and denominator of D4", "Q R"), ("R_", "what stands under roots", "Q"),
             ("e_", "axes of the body", "a"), ("nu", "multiplier of a rotation", "mu"),
             ("V", "effective potential", "W"), ("M_", "components of M in a picture", "Lambda"),
-            ("i", "imaginary unit", "j iota")):
+            ("a b c", "coefficients of the sextic", "u v w"), ("i", "imaginary unit", "j iota")):
         for name in names.split():
             yield Entry(name, name, name, (0, 0), what, use=Use.PRINTED, instead=instead)
 
