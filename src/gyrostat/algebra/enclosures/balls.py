@@ -21,9 +21,8 @@ FUNCTIONS: dict[str, Callable[[arb], arb]] = {name: getattr(arb, name) for name 
 
 
 class Enclosed(Expr):
-    """A real constant that computes its own enclosure; written says whether its text is exact."""
+    """A real constant that computes its own enclosure."""
 
-    written = True
     is_commutative = is_real = is_number = True
 
     def enclosed(self, precision: int) -> arb:

@@ -131,7 +131,6 @@ def _directions(q: Sequence[acb]) -> list[arb]:
 class EnclosedCoordinate(Enclosed):
     """One of the numbers of a critical point, without an algebraic form; it prints as a decimal."""
 
-    written = False
     zeros: RotationZeros
 
     def __new__(cls, zeros: RotationZeros, root: int, place: int) -> "EnclosedCoordinate":
