@@ -10,14 +10,14 @@ from ...algebra.text.spelling import names_in
 from ...errors import GyrostatError, PublishedError, ValuesError, brief
 from ...mechanics.families.scene_tables import SceneTable, scene_tables
 from ...questions.given_numbers import SPINS, numbers_of, unless_given
-from ...questions.scene_texts import BODY, Asked, entries_of, text_of
+from ...questions.scene_texts import BODY, REPEATED, Asked, asked_value, entries_of, text_of
 
 # keys for which there is an option of the same name
-TEXTS = (*BODY, "spin", "eliminate", "point", "state", "integrals", "orbit", "pointing",
-         "direction", "release")
-REPEATED = ("integrals",)                              # texts of an option that may be repeated
-# of each pair one is given; an option for one overrides the other in the file
+TEXTS = (*BODY, "products", "rotors", "lumped", "spin", "eliminate", "point", "state", "integrals", "orbit",
+         "pointing", "direction", "release")
+# of each group one is given; an option for one overrides the others in the file
 NAMING, STARTING = frozenset({"equilibrium", "point"}), frozenset({"state", "release"})
+TURNING = frozenset({"rotors", "gyrostatic_momentum", "lumped"})
 SEVERAL = ("report", "conditions")                     # verbs that take more than one --equilibrium
 
 
@@ -40,7 +40,11 @@ def with_scene(given: argparse.Namespace) -> argparse.Namespace:
         taken |= NAMING
     if STARTING & taken:
         taken |= STARTING
-    asked: dict[str, Any] = {name: table[name] if name in REPEATED else text_of(table[name])
+    if {"rotors", "gyrostatic_momentum"} & taken:
+        taken |= TURNING
+    if "inertia" in taken:
+        taken.add("products")
+    asked: dict[str, Any] = {name: asked_value(name, table[name])
                              for name in TEXTS if name in table and name in options.keys() | BODY
                              and name not in taken}
     if "equilibrium" in table and not taken & NAMING:
@@ -59,9 +63,9 @@ def with_scene(given: argparse.Namespace) -> argparse.Namespace:
 
 def asked_of(given: argparse.Namespace, names: Collection[str]) -> Asked:
     """What the options ask, with the body to which the names belong."""
-    texts = {entry.name: getattr(given, entry.name, None) for entry in fields(Asked)}
-    if texts["integrals"] is not None:
-        texts["integrals"] = tuple(texts["integrals"])
+    texts: dict[str, Any] = {entry.name: getattr(given, entry.name, None) for entry in fields(Asked)}
+    for name in REPEATED:
+        texts[name] = None if texts[name] is None else tuple(texts[name])
     return Asked(**texts).of_body(names)
 
 
