@@ -179,13 +179,16 @@ def _check_rotor(scene: System, t: ImmutableMatrix, n: ImmutableMatrix, r: Immut
     I, rate, l = scene.body.tensor, orbital_rate(scene), ImmutableMatrix(scene.body.gyrostatic_momentum)
     torques = {"t·Ir": t.dot(I * r), "l·t + ω0 t·In": t.dot(l) + rate * t.dot(I * n),
                "l·r + 4 ω0 r·In": r.dot(l) + 4 * rate * r.dot(I * n)}
-    left = [f"{name} = {shown(x)}" for name, x in torques.items() if is_identically_zero(x) is False]
+    left = [f"{name} = {_short(x)}" for name, x in torques.items() if is_identically_zero(x) is False]
     if left:
         raise EquilibriumError(f"Earth-pointing is not an equilibrium of this body: {', '.join(left)}, and "
-                               "each must be 0. In principal axes the rotor must lie along the axis of "
-                               "pitch, 0, l, 0 if that is axis 2. In Python earth_pointing_gyrostat(body, "
-                               "orbit) gives the rotor with which the body rests so, or the angle by which "
-                               "to turn the body first")
+                               "each must be 0. In principal axes put the rotor along pitch; "
+                               "earth_pointing_gyrostat gives one that holds it")
+
+
+def _short(value: Expr) -> str:
+    text = shown(value, 12)
+    return text if len(text) <= 24 else text[:23] + "…"
 
 
 def axes_of(roll: int, pitch: int, yaw: int) -> list[list[int]]:
