@@ -6,11 +6,21 @@ from pathlib import Path
 from typing import Any
 
 from ...algebra.text.inputs import name_of, toml_of
+from ...algebra.text.quantities import not_mixed
 from ...algebra.text.spelling import names_in
 from ...errors import GyrostatError, PublishedError, ValuesError, brief
 from ...mechanics.families.scene_tables import SceneTable, scene_tables
 from ...questions.given_numbers import SPINS, numbers_of, unless_given
-from ...questions.scene_texts import BODY, REPEATED, Asked, asked_value, entries_of, text_of
+from ...questions.scene_texts import (
+    BODY,
+    REPEATED,
+    Asked,
+    asked_value,
+    entries_of,
+    table_of,
+    text_of,
+)
+from .axis_option import ends_of
 
 # keys for which there is an option of the same name
 TEXTS = (*BODY, "products", "rotors", "lumped", "spin", "eliminate", "point", "state", "integrals", "orbit",
@@ -49,7 +59,7 @@ def with_scene(given: argparse.Namespace) -> argparse.Namespace:
                              and name not in taken}
     if "equilibrium" in table and not taken & NAMING:
         asked["equilibrium"] = [table["equilibrium"]] if given.verb in SEVERAL else table["equilibrium"]
-    names = {*numbers_of(given.values), *_axes(given)}
+    names = {*numbers_of(given.values), *map(_name, _axes(given))}
     if SPINS & names:
         asked.pop("spin", None)
     left = _names(table[name] for name in TEXTS if name in table and name not in asked)
@@ -66,7 +76,11 @@ def asked_of(given: argparse.Namespace, names: Collection[str]) -> Asked:
     texts: dict[str, Any] = {entry.name: getattr(given, entry.name, None) for entry in fields(Asked)}
     for name in REPEATED:
         texts[name] = None if texts[name] is None else tuple(texts[name])
-    return Asked(**texts).of_body(names)
+    asked = Asked(**texts).of_body(names)
+    settings = [text.partition("=")[::2] for text in getattr(given, "values", ())]
+    not_mixed([*table_of(asked).quantities, *((name_of(name.strip()), x) for name, x in settings),
+               *((_name(text), end) for text in _axes(given) for end in ends_of(text))])
+    return asked
 
 
 def scene_of_file(place: str) -> SceneTable:
@@ -98,6 +112,11 @@ def _names(texts: Iterable[Any]) -> set[str]:
 
 
 def _axes(given: argparse.Namespace) -> list[str]:
-    """The names of the axes."""
+    """The texts of the axes."""
     texts = [getattr(given, "x", None), getattr(given, "y", None), *(getattr(given, "axis", None) or ())]
-    return [name_of(text.partition("=")[0].strip()) for text in texts if text is not None]
+    return [text for text in texts if text is not None]
+
+
+def _name(text: str) -> str:
+    """The name of an axis."""
+    return name_of(text.partition("=")[0].strip())

@@ -3,7 +3,6 @@ import argparse
 from difflib import get_close_matches
 
 from ...mechanics.families.named_families import called, in_words, known_families, named
-from ...mechanics.scenes.body import PRODUCTS
 
 THREE = "three numbers or expressions, separated by commas"
 
@@ -18,7 +17,7 @@ def scene_file(verb: argparse.ArgumentParser) -> None:
                       "semicolons between them; one unit may stand after all of it, '[[62.1, 1.3, -0.8], "
                       "[1.3, 58, 0.2], [-0.8, 0.2, 30]] kg m^2'; default: I1,I1,I3, or I1,I2,I3 if I2 is "
                       "set, if U contains k1 or k2, without a field, and in orbit")
-    verb.add_argument("--products", choices=PRODUCTS,
+    verb.add_argument("--products", metavar="SIGN",
                       help="the sign of the products of inertia in a tensor: negative for its entries, "
                       "−∫ xy dm, positive for the integrals ∫ xy dm, as many CAD programs print them; "
                       "default: negative")

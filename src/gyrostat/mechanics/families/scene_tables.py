@@ -83,16 +83,23 @@ class SceneTable:
         inertia: list[Any] = self.table.get("inertia", ["I1", "I2", "I3"])
         momentum: list[str] = self.table.get("gyrostatic_momentum", ["0", "0", "0"])
         rotors = self.table.get("rotors", [])
-        flat = [x for row in inertia for x in (row if isinstance(row, list) else [row])]
-        not_mixed([*(("inertia", x) for x in flat), *(("gyrostatic_momentum", x) for x in momentum),
-                   *((name, x) for rotor in rotors for name, x in rotor.items()),
-                   *((f"orbit {name}", x) for name, x in self.table.get("orbit", {}).items()),
-                   *self.table.get("values", {}).items()])
+        not_mixed(self.quantities)
         products = self.table.get("products", "negative")
         if not rotors:
             return Gyrostat(inertia, momentum, products)
         make = loaded("mechanics.scenes.rotors:gyrostat_with_rotors")
         return make(inertia, self.rotors, lumped=self.table["lumped"], products=products)
+
+    @property
+    def quantities(self) -> list[tuple[str, Any]]:
+        """The numbers of body, orbit and values, with their names; all have a unit, or none has."""
+        table = self.table
+        flat = [x for row in table.get("inertia", ()) for x in (row if isinstance(row, list) else [row])]
+        return [*(("inertia", x) for x in flat),
+                *(("gyrostatic_momentum", x) for x in table.get("gyrostatic_momentum", ())),
+                *((name, x) for rotor in table.get("rotors", ()) for name, x in rotor.items()),
+                *((f"orbit {name}", x) for name, x in table.get("orbit", {}).items()),
+                *table.get("values", {}).items()]
 
     @cached_property
     def rotors(self) -> "tuple[Rotor, ...]":
