@@ -67,7 +67,7 @@ def earth_pointing_gyrostat(body: Gyrostat, orbit: CoupledPotential, roll: int =
         apart = lowest_terms(t.dot(I * t) - r.dot(I * r))
         raise EquilibriumError(
             f"t·Ir = {_told(product)}, the product of inertia of roll and yaw: the gravity gradient turns "
-            "the body about the normal, and no rotor balances it. Turn the body about the normal, t towards r "
+            "it about the normal, and no rotor balances it. Turn the body about the normal, t towards r "
             f"by φ, tan 2φ = 2 t·Ir/(t·It − r·Ir) = {_told(2 * product)} over {_told(apart)}")
     kept = n.dot(ImmutableMatrix(body.gyrostatic_momentum))
     rotor = -rate * t.dot(I * n) * t + kept * n - 4 * rate * r.dot(I * n) * r
