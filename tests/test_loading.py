@@ -49,6 +49,7 @@ LIMITS = {"--version": 20, "report": 119, "conditions": 151, "decide": 158, "dec
           "verify": 212}
 
 
+@pytest.mark.few(4)                                    # each is a process
 @pytest.mark.parametrize("name", COMMANDS)
 def test_a_verb_loads_no_more_modules_than_it_needs(name):
     """Packages not counted; NumPy where there are arrays, Matplotlib where there is a picture."""
@@ -61,6 +62,7 @@ def test_a_verb_loads_no_more_modules_than_it_needs(name):
     assert ("sympy" in packages) == (name != "--version")
 
 
+@pytest.mark.few(2)
 @pytest.mark.parametrize("asked", [
     ["--potential", "m0*k3", "--set", "I1=2", "I3=1", "l=1", "m0=1/2", "omega=1"],
     ["--potential", "none", "--inertia", "1,2,3", "--gyrostatic-momentum=0,0,1/2", "--momentum", "2"],
