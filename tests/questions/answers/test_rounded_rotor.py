@@ -26,7 +26,8 @@ def test_each_attitude_satisfies_the_equations_of_the_sheet():
     found = answers(TENSOR, *WHEELS)
     assert len(found) == 8
     for each in found:
-        r, t, n = np.array(each.found.doubles.attitude)
+        n, r = (np.array([each.found.doubles.place[f"{x}{i}"] for i in (1, 2, 3)]) for x in "nr")
+        t = np.cross(n, r)
         left = t @ inertia @ r, t @ (inertia @ n + over), r @ (4 * inertia @ n + over)
         assert np.abs(left).max() < 1e-7                  # 12 digits of some 6000
 
