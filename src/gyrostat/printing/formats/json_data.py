@@ -42,14 +42,14 @@ def report_data(report: Report) -> dict[str, Any]:
     drift = {} if report.boundary is None or report.boundary.pole else {"drift": drift_data(report.drift)}
     relations = {str(name): str(value) for name, value in eq.relations}
     place: dict[str, Any] = {"point": strings(eq.point), "relations": relations}
-    if report.closed is not None:
-        return family | criteria | place | {"tangent_basis": None, "matrix": None,
-                                            "characteristic_polynomial": "lamda**4 + lamda**2*p + q"}
-    linear = report.linearization
     if rests_in_frame(eq):
         form = orientation_form(eq)
         place |= {"stiffness": [strings(row) for row in form.stiffness.tolist()],
                   "gyroscopic": strings(form.gyroscopic)}
+    if report.closed is not None:
+        return family | criteria | place | {"tangent_basis": None, "matrix": None,
+                                            "characteristic_polynomial": str(report.closed.polynomial)}
+    linear = report.linearization
     return family | criteria | drift | place | {
         "tangent_basis": [strings(row) for row in linear.basis.T.tolist()],
         "matrix": [strings(row) for row in eq.insert_field(linear.matrix).tolist()],
