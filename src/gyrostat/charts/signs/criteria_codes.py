@@ -1,7 +1,6 @@
 """Tells in every block of a grid where a sufficient criterion holds, and where a necessary one fails."""
 import operator
 from collections.abc import Callable, Iterable
-from itertools import chain
 from math import isfinite
 
 import numpy as np
@@ -134,10 +133,7 @@ class CriteriaCodes:
 
 def single_margin(criterion: Criterion) -> Expr | None:
     """Return the margin that decides alone, None if there is no such margin."""
-    conditions = list(chain.from_iterable(criterion.alternatives))
-    if len(criterion.alternatives) != 1 or len(conditions) != 1 or conditions[0].degenerate:
-        return None
-    return conditions[0].margin
+    return None if criterion.only is None else criterion.only.margin
 
 
 def _expressions(criterion: Criterion) -> list[Expr]:

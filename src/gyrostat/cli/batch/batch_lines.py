@@ -110,7 +110,7 @@ class Questions:
         potential = own.pop("potential", self.given.potential)
         label = own.pop("equilibrium", self.given.equilibrium)
         family = self._family(label) if isinstance(label, str) else None
-        if not isinstance(potential, str | None) or label is not None and family is None:
+        if potential is not None and not isinstance(potential, str) or label is not None and family is None:
             raise ValuesError(f"the line has potential = {brief(potential)} and equilibrium = "
                               f"{brief(label)}, of which one is not understood: give a potential as a text, "
                               f"as of --potential, and the equilibrium as {in_words(known_families())}")

@@ -9,8 +9,8 @@ from time import monotonic, sleep
 from .batch_lines import Answer, Numbered
 from .batch_worker import Worker
 
-# seconds in which answers gather: to wake up for each of them costs as much as a part of an answer. No process
-# has to wait for lines meanwhile: each of those that it has takes as long at least as the second number says
+# seconds in which answers gather, as to wake up for each of them takes time; and seconds that each line takes
+# at least, so that no process is out of lines meanwhile
 GATHER, QUICKEST = 0.005, 0.00005
 LEAST = 4                                              # lines that are dealt at once, if there are as many
 
@@ -45,7 +45,8 @@ class Team:
         while wanted:
             self._deal(left)
             if not first:
-                sleep(min(GATHER, QUICKEST * min(len(worker.lines) for worker in self.workers if worker.lines)))
+                fewest = min(len(worker.lines) for worker in self.workers if worker.lines)
+                sleep(min(GATHER, QUICKEST * fewest))
             found.update((answer[0], answer) for answer in self._come())
             first, there = False, list[Answer]()
             while wanted and wanted[0] in found:

@@ -11,11 +11,10 @@ from .equilibria import Missing
 
 def note_once(answers: Sequence[Answer | Missing]) -> tuple[str, list[Answer | Missing]]:
     """The note that all decisions of a list have, and the list without it; "" if the notes differ."""
-    decided = [a for a in answers if isinstance(a, Answer)]
-    notes = {a.decision.note for a in decided}
-    if len(decided) < 2 or len(notes) > 1:
+    notes = [a.decision.note for a in answers if isinstance(a, Answer)]
+    if len(notes) < 2 or len({*notes}) > 1:
         return "", list(answers)
-    return notes.pop(), [a if isinstance(a, Missing) else
+    return notes[0], [a if isinstance(a, Missing) else
                          replace(a, decision=replace(a.decision, note=""), damped=_bare(a.damped),
                                  itself=_bare(a.itself)) for a in answers]
 
@@ -37,10 +36,10 @@ def _listed(answers: Sequence[Answer | Missing]) -> dict[str, Any]:
 def _data(answer: Answer) -> dict[str, Any]:
     """The same keys for every kind of scene; frequencies and growth rate of what was found at a point."""
     found, damped, itself = answer.found, answer.damped, answer.itself
-    at_point, growth = answer.at_point, answer.rates.get("growth_rate")
-    return {"label": found.label if found is not None and answer.place else answer.label,
+    at_point, place, growth = answer.at_point, answer.place, answer.rates.get("growth_rate")
+    return {"label": found.label if found is not None and place else answer.label,
             "locus": "" if found is None else found.locus,
-            "place": {name: number_data(x) for name, x in answer.place.items()},
+            "place": {name: number_data(x) for name, x in place.items()},
             "frequencies": None if at_point is None else [rate_data(x) for x in at_point.frequencies],
             "growth_rate": None if growth is None else rate_data(growth),
             "decision": decision_data(answer.decision),
