@@ -18,6 +18,7 @@ from typing import Any, Literal, Protocol, TypeVar
 
 from sympy import Add, Expr, Integer, Mul, Pow, Rational, Symbol
 
+from ..._cached import cached_property
 from ...algebra.enclosures.arithmetic import Arithmetic, in_arithmetic
 from ...algebra.rings.readable import readable
 from ...notation import symbol
@@ -68,6 +69,11 @@ class Program:
     def outcomes(self) -> list[int]:
         """The places of the results."""
         return [place % len(self.steps) for place in self.results]
+
+    @cached_property
+    def kept(self) -> dict[Any, Any]:
+        """What was derived of the program for the axes of a grid: programs outlive a call."""
+        return {}
 
     def needed(self, results: Iterable[int]) -> set[int]:
         """Return the steps that some steps need, themselves included."""
