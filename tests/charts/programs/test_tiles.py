@@ -147,7 +147,7 @@ def test_few_buffers_are_used():
     """
     grid = grid_of({name: np.random.default_rng(3).random(500) for name in NAMES})
     tiles = tiles_over(grid)
-    assert len(tiles.inner) > 10 and len(set(tiles.slots)) <= 4
+    assert len(tiles.inner) > 10 and len(set(tiles.layout.slots)) <= 4
     out, (tile,) = np.empty((1, 500)), grid.blocks(10**4)
     assert tiles.value(tile[0], out) is out and len(tiles.buffers) <= 4
 
