@@ -1,4 +1,5 @@
 """The bifurcation set of a free gyrostat in a plane of its rotor: curves, and numbers in the regions."""
+import re
 from fractions import Fraction as F
 
 import counted_rotations as found
@@ -91,3 +92,23 @@ def test_what_is_refused(scene, values, error, words):
     """What was given, why it is impossible, what to do."""
     with pytest.raises(error, match=words):
         draw_rotor_set(scene, values, Figure().subplots())
+
+
+def test_a_tensor_is_drawn_along_its_principal_axes():
+    """The same picture as of its moments; what is said of the axes diagonalises the tensor."""
+    tensor = np.array([[2, 1, 0], [1, 3, 1], [0, 1, 5]])
+    moments = np.linalg.eigvalsh(tensor)
+    pictures = [draw_rotor_set(gs.assemble(gs.Gyrostat(inertia)), {"l2": "1/5", "M": 1}, Figure().subplots())
+                for inertia in (tensor, moments.tolist())]
+    for one, other in zip(*(ax.lines for ax in pictures), strict=True):
+        np.testing.assert_allclose(one.get_xydata(), other.get_xydata(), rtol=1e-6, atol=1e-9)
+    said = pictures[0].get_title()
+    axes = np.array([float(x) for x in re.findall(r"-?\d\.\d{3}", said)]).reshape(3, 3)
+    np.testing.assert_allclose(axes @ tensor @ axes.T, np.diag(moments), atol=0.02)
+    assert np.linalg.det(axes) == pytest.approx(1, abs=0.01)
+
+
+def test_a_tensor_with_a_rotor_in_its_own_axes_is_refused():
+    scene = gs.assemble(gs.Gyrostat([[2, 1, 0], [1, 3, 1], [0, 1, 5]], (0, 0, gs.symbol("l"))))
+    with pytest.raises(ScopeError, match="leave it out of the body"):
+        draw_rotor_set(scene, {"M": 1}, Figure().subplots())

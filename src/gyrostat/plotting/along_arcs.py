@@ -1,12 +1,13 @@
 """Evaluates arcs of permanent rotations in doubles: k, omega and sigma along them."""
 from collections.abc import Callable
 from fractions import Fraction
-from itertools import pairwise
+from itertools import combinations, pairwise
 
 import numpy as np
 from sympy import Expr, oo
 
 from ..algebra.enclosures.floats import Array
+from ..algebra.reals.exact import is_identically_zero
 from ..equilibria.curves.arc import Arc, Piece
 from ..stability.decision import Verdict
 from .globe import refined
@@ -16,7 +17,9 @@ ROUNDS, FIRST = 12, 33                                 # halvings; values of the
 
 def moves(arc: Arc) -> bool:
     """Whether the direction changes along an arc."""
-    return sum(x != 0 for x in arc.k) > 1
+    k = arc.k
+    return any(is_identically_zero(a.diff(x) * b - a * b.diff(x)) is False
+               for x in {s for a in k for s in a.free_symbols} for a, b in combinations(k, 2))
 
 
 def changes_of(arc: Arc) -> list[tuple[Expr, str]]:
@@ -64,7 +67,7 @@ def placed(arc: Arc, piece: Piece, t: Array) -> Array:
 def _size(arc: Arc) -> float:
     """Return a scale of the parameter: the sum of the moments for tau, a rate of the body for omega."""
     body = arc.scene.body
-    moment = sum(map(float, body.moments))
+    moment = float(body.tensor.trace())
     if arc.both_ways:
         return moment
     U = arc.scene.potential

@@ -1,11 +1,14 @@
 """Follows level curves of the energy of a free gyrostat on the momentum sphere, by its exact motion."""
 from collections.abc import Sequence
 from itertools import pairwise
+from typing import cast
 
 import numpy as np
-from sympy import Expr
+from sympy import Expr, ImmutableMatrix
 
 from ..algebra.enclosures.floats import Array, in_floats
+from ..equilibria.finders.free import energy_and_momentum
+from ..equilibria.finders.free_form import FreeForm
 from ..equilibria.relative_equilibrium import RelativeEquilibrium
 from ..mechanics.scenes.body import Gyrostat
 from ..mechanics.scenes.system import System, assemble
@@ -30,25 +33,45 @@ def energies_between(body: Gyrostat, points: Sequence[RelativeEquilibrium], coun
     Along the shortest arc from an equilibrium at one end of the band to one at the other, the curves are at
     equal distances on the sphere.
     """
-    inertia, rotor = floats(body.moments), floats(body.gyrostatic_momentum)
+    inverse, rotor = inverse_of(body), floats(body.gyrostatic_momentum)
     levels: dict[float, list[RelativeEquilibrium]] = {}
     for point in points:
-        levels.setdefault(float(point.energy), []).append(point)
+        levels.setdefault(level_of(point), []).append(point)
     part, found = np.arange(1, count + 1) / (count + 1), []
     for low, high in pairwise(sorted(levels)):
-        start, end = min(((floats(p.momentum), _nearest(q, floats(p.momentum)))
+        start, end = min(((place(p), _nearest(q, place(p)))
                           for p in levels[low] for q in levels[high]), key=lambda ends: -ends[0] @ ends[1])
         turn = part[:, None] * np.arccos(np.clip(start @ end / (start @ start), -1, 1))
         arc = np.cos(turn) * start + np.sin(turn) * np.cross(_normal(start, end), start)
-        energies = ((arc - rotor) ** 2 / inertia).sum(axis=1) / 2
+        energies = energy_of(arc - rotor, inverse)
         rising = bool((np.diff([low, *energies, high]) > 0).all())     # an arc may leave the band
         found.append(energies if rising else low + (high - low) * part)
     return np.concatenate(found) if found else np.empty(0)
 
 
+def level_of(point: RelativeEquilibrium) -> float:
+    """Return the energy of a rotation of a free body in doubles."""
+    return energy_and_momentum(cast(FreeForm, point.form))[0]
+
+
+def place(point: RelativeEquilibrium) -> Array:
+    """Return its momentum M in doubles."""
+    return np.array(energy_and_momentum(cast(FreeForm, point.form))[1:])
+
+
+def inverse_of(body: Gyrostat) -> Array:
+    """Return the inverse I⁻¹ of the tensor in doubles, shape (3, 3)."""
+    return np.array([floats(row) for row in body.inverse.tolist()])
+
+
+def energy_of(pi: Array, inverse: Array) -> Array:
+    """Return the energies of momenta, shape (n, 3)."""
+    return np.asarray(((pi @ inverse) * pi).sum(axis=-1) / 2)
+
+
 def _nearest(point: RelativeEquilibrium, to: Array) -> Array:
     """Return the equilibrium; for a circle of equilibria the one that is nearest to another point."""
-    at = floats(point.momentum)
+    at = place(point)
     if point.form.circle is None:
         return at
     axis = floats(point.form.circle)
@@ -82,26 +105,41 @@ def level_curve(body: Gyrostat, points: Sequence[RelativeEquilibrium], radius: f
     >>> bool(np.nanmax(abs((M**2 / [1, 2, 3]).sum(axis=1) / 2 - 0.3)) < 1e-15), int(np.isnan(M[:, 0]).sum())
     (True, 1)
     """
-    scene, inertia, rotor = assemble(body), floats(body.moments), floats(body.gyrostatic_momentum)
-    values = [float(point.energy) for point in points]
+    inverse, rotor = inverse_of(body), floats(body.gyrostatic_momentum)
+    scene, turn = _standard(body)
+    values = [level_of(point) for point in points]
     near = SHIFT * (max(values) - min(values))
     isolated = [(point, value) for point, value in zip(points, values) if point.form.circle is None]
     passed = [point for point, value in isolated
               if point.decision.verdict is Verdict.UNSTABLE and abs(value - energy) <= near]
     if any(point.form.signs[-1] == 0 for point in passed):
         near *= FLAT / SHIFT
-    around = [floats(point.momentum) for point, _ in isolated
+    around = [place(point) for point, _ in isolated
               if point.decision.verdict is not Verdict.UNSTABLE]
     left = [(normal, seed) for other in around[1:]
-            for normal, seeds in [_on_arc(around[0], other, inertia, rotor,
+            for normal, seeds in [_on_arc(around[0], other, inverse, rotor,
                                           energy - near if passed else energy)] for seed in seeds]
     pieces: list[Array] = []
     while left:
-        curve = _turn(scene, left[0][1], rotor, radius)
+        curve = _turn(scene, turn @ left[0][1], turn @ rotor, radius) @ turn
         left = [(normal, seed) for normal, seed in left[1:]
                 if not _meets(curve, normal, seed, [x for n, x in left if n is normal])]
-        pieces += [_onto_level(curve, inertia, rotor, energy) if passed else curve, np.full((1, 3), np.nan)]
+        pieces += [_onto_level(curve, inverse, rotor, energy) if passed else curve, np.full((1, 3), np.nan)]
     return np.concatenate(pieces[:-1]) if pieces else np.empty((0, 3))
+
+
+def in_principal_axes(body: Gyrostat) -> tuple[Array, Array]:
+    """Return the moments of a tensor, increasing, and the rotation R to its principal axes, in doubles."""
+    moments, axes = np.linalg.eigh(np.array([floats(row) for row in body.tensor.tolist()]))
+    return moments, axes.T * np.linalg.det(axes)
+
+
+def _standard(body: Gyrostat) -> tuple[System, Array]:
+    """Return the scene in principal axes, those of a tensor in doubles, and the rotation to them."""
+    if not isinstance(body.inertia, ImmutableMatrix):
+        return assemble(body), np.eye(3)
+    moments, R = in_principal_axes(body)
+    return assemble(Gyrostat(moments.tolist(), (R @ floats(body.gyrostatic_momentum)).tolist())), R
 
 
 def _normal(start: Array, end: Array) -> Array:
@@ -112,7 +150,7 @@ def _normal(start: Array, end: Array) -> Array:
     return aside / np.linalg.norm(aside)
 
 
-def _on_arc(start: Array, end: Array, inertia: Array, rotor: Array,
+def _on_arc(start: Array, end: Array, inverse: Array, rotor: Array,
             energy: float) -> tuple[Array, list[Array]]:
     """Return the normal of the great circle from one point to another, and its points at an energy."""
     normal = _normal(start, end)
@@ -123,11 +161,11 @@ def _on_arc(start: Array, end: Array, inertia: Array, rotor: Array,
         return np.cos(s)[..., None] * start + np.sin(s)[..., None] * ahead
 
     def excess(s: Array) -> Array:
-        return ((point(s) - rotor) ** 2 / inertia).sum(axis=-1) / 2 - energy
+        return energy_of(point(s) - rotor, inverse) - energy
 
     # h = Re(first e^{is} + second e^{2is}) + const
-    first = -start @ (rotor / inertia) + 1j * (ahead @ (rotor / inertia))
-    second = (start @ (start / inertia) - ahead @ (ahead / inertia)) / 4 - 0.5j * (start @ (ahead / inertia))
+    first = -start @ inverse @ rotor + 1j * (ahead @ inverse @ rotor)
+    second = (start @ inverse @ start - ahead @ inverse @ ahead) / 4 - 0.5j * (start @ inverse @ ahead)
     turns = np.angle(np.roots(np.array([2 * second, first, 0, -np.conj(first),
                                         -2 * np.conj(second)]))) % (2 * np.pi)
     cuts = np.unique(np.concatenate([[0.0], turns[turns < length], [length]]))
@@ -170,14 +208,14 @@ def _meets(curve: Array, normal: Array, seed: Array, seeds: Sequence[Array]) -> 
     return bool(off < min(apart / 4, STEP * np.linalg.norm(seed)))
 
 
-def _onto_level(M: Array, inertia: Array, rotor: Array, energy: float) -> Array:
+def _onto_level(M: Array, inverse: Array, rotor: Array, energy: float) -> Array:
     """Points next to a level moved along the gradient on the sphere.
 
     Where the gradient vanishes there is no step.
     """
     radius = np.linalg.norm(M[0])
     for _ in range(STEPS):
-        rates = (M - rotor) / inertia
+        rates = (M - rotor) @ inverse
         slope = rates - (rates * M).sum(axis=1, keepdims=True) * M / radius**2
         excess = energy - ((M - rotor) * rates).sum(axis=1, keepdims=True) / 2
         square = (slope**2).sum(axis=1, keepdims=True)

@@ -14,7 +14,7 @@ from ..errors import ScopeError, ValuesError
 from ..mechanics.scenes.system import System, at_numbers
 from ..stability.decision import Verdict
 from .captions import BEHIND, headed
-from .energy_levels import energies_between, floats, level_curve
+from .energy_levels import energies_between, floats, level_curve, level_of, place
 from .globe import circle, curve_on, curves_of, dots_of, numbers_on, stage
 from .headings import of_sphere
 from .legends import named
@@ -85,15 +85,15 @@ def draw_momentum_sphere(scene: System, momentum: Any, values: Mapping[str, Any]
                          f"{scene.potential.expression}: "
                          "assemble the body alone")
     here, radius = at_numbers(scene, numbers_of(scene, values or {})), exact_number(momentum, "momentum")
-    body, inertia = here.body, here.body.moments
+    body = here.body
     if sign_of_constant(radius) != 1:
         raise ValuesError(f"momentum = {momentum} is not the radius of a sphere: give a positive number")
     points = [RelativeEquilibrium(form) for form in rotations_on_sphere(here, radius)]
     size, about = float(radius), points[0].form.circle
     if about is not None and not any(about):
-        raise ScopeError(f"inertia = {inertia} and l = 0: every point of the sphere is an equilibrium; "
+        raise ScopeError(f"inertia = {body.moments} and l = 0: every point of the sphere is an equilibrium; "
                          "give different moments, or a rotor")
-    least, most = (f(float(p.energy) for p in points) for f in (min, max))
+    least, most = (f(map(level_of, points)) for f in (min, max))
     slack = 1e-12 * most                                   # an energy of a rest point may be rounded
     given = None if energies is None or not len(energies) else row(energies, "energies").tolist()
     if off := [energy for energy in given or () if not least - slack <= energy <= most + slack]:
@@ -104,25 +104,25 @@ def draw_momentum_sphere(scene: System, momentum: Any, values: Mapping[str, Any]
     eye = stage(ax, size, [label(f"M{i}") for i in (1, 2, 3)])
     style = {"color": BLUE, "linewidth": 0.9, **kwargs}
     chosen = energies_between(body, points, BAND) if energies is None else given or []
-    curve_on(ax, _joined([level_curve(body, points, size, energy) for energy in chosen]), eye, **style)
+    curve_on(ax, _joined([level_curve(body, points, size, level) for level in chosen]), eye, **style)
     handles = [named(style, "polhode")]
-    saddles = {float(p.energy) for p in points
+    saddles = {level_of(p) for p in points
                if p.decision.verdict is Verdict.UNSTABLE and p.form.circle is None}
     if saddles:
         heavy = {"color": DARK, "linewidth": 2.0}
-        curve_on(ax, _joined([level_curve(body, points, size, energy) for energy in saddles]), eye, **heavy)
+        curve_on(ax, _joined([level_curve(body, points, size, level) for level in saddles]), eye, **heavy)
         handles.append(named(heavy, "separatrix"))
     for point in points:
         if point.form.circle is not None:
-            axis, at = floats(point.form.circle), floats(point.momentum)
+            axis, at = floats(point.form.circle), place(point)
             height = float(at @ axis)
             around = [circle(axis, float(np.sqrt(size**2 - height**2)), height)]
             handles += curves_of(ax, around, line(Verdict.STABLE), "equilibria, stable modulo the spin", eye)
     for verdict in Verdict:
-        places = [floats(p.momentum) for p in points
+        places = [place(p) for p in points
                   if p.decision.verdict is verdict and p.form.circle is None]
         handles += dots_of(ax, places, marker(verdict), verdict.name.lower(), eye)
-    numbers_on(ax, [(n, floats(p.momentum)) for n, p in enumerate(points, 1)], eye, size)
+    numbers_on(ax, [(n, place(p)) for n, p in enumerate(points, 1)], eye, size)
     headed(ax, "Momentum sphere of a free gyrostat", of_sphere(scene, values or {}, radius), handles,
            after=BEHIND)
     return ax

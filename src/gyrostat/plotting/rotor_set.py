@@ -3,7 +3,7 @@ from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
-from sympy import Expr
+from sympy import Expr, ImmutableMatrix
 
 from ..algebra.enclosures.floats import Array, in_floats, row
 from ..algebra.reals.exact import proved_sign
@@ -13,9 +13,10 @@ from ..equilibria.finders.free import NU
 from ..equilibria.finders.rate_level_tilt import LENGTH, exact_point
 from ..errors import ScopeError, ValuesError
 from ..mechanics.scenes.body import Gyrostat
-from ..mechanics.scenes.system import System, at_numbers, names_of_scene
-from ..notation import symbol
+from ..mechanics.scenes.system import System, assemble, at_numbers, names_of_scene
+from ..notation import components, symbol
 from .captions import headed
+from .energy_levels import in_principal_axes
 from .globe import curves_of
 from .headings import of_sphere
 from .looks import BLUE, DARK, axes_of, axis
@@ -31,14 +32,16 @@ SHADES = {2: "#ffffff", 4: "#e4edf5", 6: "#c3d7e8"}
 def draw_rotor_set(scene: System, values: Mapping[str, Any], ax: Any = None, **kwargs: Any) -> Any:
     r"""Draw where, in a plane of the rotor at a given abs(M), permanent rotations of a free gyrostat meet.
 
-    Two components of l along principal axes are free, and the third has a value. At dark curves, folds, two
-    rotations meet. At blue curves, pitchforks, which exist if the third component is 0, two rotations off the
-    plane meet one in it. Each region shows the number of its rotations, 2, 4 or 6, and more are darker.
+    Two components of l along principal axes are free, and the third has a value. Of a tensor the principal
+    axes are found, moments increasing; l1, l2, l3 are along them, and the title says where they point. At
+    dark curves, folds, two rotations meet. At blue curves, pitchforks, which exist if the third component is
+    0, two rotations off the plane meet one in it. Each region shows the number of its rotations, 2, 4 or 6,
+    and more are darker.
 
     Parameters
     ----------
     scene : System
-        without a field, in principal axes, its moments different
+        without a field, its moments different; with a tensor its rotor is (l1, l2, l3), three names
     values : mapping of name to number
         for M and every name but two components of l
     ax : matplotlib Axes
@@ -53,7 +56,7 @@ def draw_rotor_set(scene: System, values: Mapping[str, Any], ax: Any = None, **k
     Raises
     ------
     ScopeError
-        the scene has a field or a full tensor, or two moments are equal
+        the scene has a field, or two moments are equal; with a tensor, its rotor is not three names
     ValuesError
         the names without a number are not two components of l, or a number is not admissible
     MissingExtraError
@@ -72,7 +75,8 @@ def draw_rotor_set(scene: System, values: Mapping[str, Any], ax: Any = None, **k
     >>> sorted({text.get_text() for text in ax.texts}), ax.get_xlabel()
     (['2', '4', '6'], '$l_1$ $[\\mathrm{M\\,L^{2}\\,T^{-1}}]$')
     """
-    body, radius, free = _section(scene, values)
+    standard, axes = _in_principal_axes(scene)
+    body, radius, free = _section(standard, values)
     held = next(n for n in range(3) if n not in free)
     arcs = [_arc(body, radius, held, a, b) for a, b in fold_intervals(body, radius, held)]
     ax = axes_of(ax)
@@ -91,9 +95,24 @@ def draw_rotor_set(scene: System, values: Mapping[str, Any], ax: Any = None, **k
         ax.text(*place, str(rotations), ha="center", va="center")
     ax.set(xlim=(-width, width), ylim=(-height, height), xlabel=axis(f"l{free[0] + 1}"),
            ylabel=axis(f"l{free[1] + 1}"))
-    headed(ax, "Bifurcation set of a free gyrostat", of_sphere(scene, values, values[LENGTH.name]), handles,
+    above, shown = of_sphere(scene, values, values[LENGTH.name])
+    headed(ax, "Bifurcation set of a free gyrostat", ([*above, *axes], shown), handles,
            after="The number in each region is that of the permanent rotations")
     return ax
+
+
+def _in_principal_axes(scene: System) -> tuple[System, list[str]]:
+    """Return the scene in principal axes, those of a tensor in doubles, and where these point."""
+    body = scene.body
+    if scene.potential is not None or not isinstance(body.inertia, ImmutableMatrix):
+        return scene, []
+    if body.gyrostatic_momentum != components("l"):
+        raise ScopeError("the picture is a plane of components along principal axes, and the rotor of this "
+                         f"tensor is {body.gyrostatic_momentum}: leave it out of the body, "
+                         "Gyrostat(inertia), and give one of l1, l2, l3")
+    moments, R = in_principal_axes(body)
+    rows = ", ".join(f"({', '.join(f'{x:.3f}' for x in row)})" for row in R)
+    return assemble(Gyrostat(moments.tolist())), [f"principal axes ${rows}$"]
 
 
 def _section(scene: System, values: Mapping[str, Any]) -> tuple[Gyrostat, Expr, list[int]]:

@@ -43,7 +43,7 @@ def draw_staude_cone(scene: System, values: Mapping[str, Any] | None = None, ax:
     Parameters
     ----------
     scene : System
-        in principal axes, with U = c·k; with a rotor, of rational numbers
+        with U = c·k; with a rotor, of rational numbers
     values : mapping of name to number, or None
         for every name of the scene
     ax : axes of mplot3d
@@ -58,7 +58,7 @@ def draw_staude_cone(scene: System, values: Mapping[str, Any] | None = None, ax:
     Raises
     ------
     ScopeError
-        U is not c·k, the axes are not principal, every direction, or every one of a circle, is that of a
+        U is not c·k, every direction, or every one of a circle, is that of a
         permanent rotation; with a rotor, a number is not rational
     ValuesError
         a name is missing or unknown, or a number is not admissible

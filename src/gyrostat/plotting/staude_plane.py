@@ -10,6 +10,7 @@ from ..algebra.reals.exact import proved_sign
 from ..algebra.text.numbers import exact_number
 from ..arguments import checked, several
 from ..equilibria.curves.arc import Arc, End, Piece
+from ..equilibria.curves.inertia_axes import InertiaAxes
 from ..equilibria.curves.staude import staude_cone
 from ..errors import ValuesError
 from ..mechanics.scenes.system import System
@@ -36,12 +37,12 @@ def draw_staude_plane(scene: System, values: Mapping[str, Any] | None = None,
     omega² I_i)² = 1, in the look of their verdicts: a line across it at one omega meets every rotation of
     that rate. Upwards is sigma + omega² I of the middle moment I, so that the branches are apart. Circles:
     folds, two become one; diamonds: changes of the verdict; crosses: ±c, at rest; grey: sigma = −omega² I_i,
-    k along axis i, where they go as omega → ±∞.
+    k along principal axis i, where they go as omega → ±∞.
 
     Parameters
     ----------
     scene : System
-        in principal axes, with U = c·k; with a rotor, of rational numbers
+        with U = c·k; with a rotor, of rational numbers
     values : mapping of name to number, or None
         for every name of the scene
     omega : (low, high) or None
@@ -58,7 +59,7 @@ def draw_staude_plane(scene: System, values: Mapping[str, Any] | None = None,
     Raises
     ------
     ScopeError
-        U is not c·k, the axes are not principal, every direction, or every one of a circle, is that of a
+        U is not c·k, every direction, or every one of a circle, is that of a
         permanent rotation; with a rotor, a number is not rational
     ValuesError
         a name is missing or unknown, a number is not admissible, or the range is empty
@@ -116,17 +117,18 @@ class _Plane:
     def __init__(self, scene: System):
         U, body = scene.potential, scene.body
         assert U is not None
-        self.moments = np.array([float(x) for x in body.moments])
-        self.exact = sorted(body.moments, key=float)[1]
-        self.middle = float(self.exact)
+        moments = [m for m in InertiaAxes(body).moments for _ in range(InertiaAxes(body).order(m))]
+        self.exact = sorted(moments, key=float)[1]
+        self.middle, self.moments = float(self.exact), np.array([float(x) for x in moments])
+        self.tensor = np.array(body.tensor, float)
         self.rotor = np.array([float(x) for x in body.gyrostatic_momentum])
         self.c = np.array([float(U.value(x)) if x else 0.0 for x in U.gradient()])
 
     def of_end(self, end: End) -> Array:
         """The place of an end of finite rate."""
         k, omega = floats(end.k), float(end.omega)
-        apart = omega**2 * (self.middle - self.moments)
-        return np.array([omega, k @ (self.c - omega * self.rotor + apart * k)])
+        apart = omega**2 * (self.middle * k - self.tensor @ k)
+        return np.array([omega, k @ (self.c - omega * self.rotor + apart)])
 
     def along(self, arc: Arc, parameters: Array) -> Array:
         """Places along an arc, without a rotor those of positive omega; shape (n, 2)."""

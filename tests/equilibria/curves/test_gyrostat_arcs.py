@@ -241,7 +241,7 @@ def test_what_is_refused():
         with pytest.raises(ScopeError, match=why):
             arcs_of(inertia, c, rotor)
     root = gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 1)), gs.general_potential(sqrt(2) * k1 + k2 + k3))
-    with pytest.raises(ScopeError, match="if all numbers are rational"):
+    with pytest.raises(ScopeError, match="at rational numbers"):
         gs.staude_cone(root).arcs({})
     arc = next(arc for arc in arcs_of(*SPECIAL["on one axis"]) if arc.high != oo)
     with pytest.raises(ValuesError, match="give a number between"):

@@ -40,7 +40,7 @@ class Strand(NamedTuple):
     last: Expr | None
 
 
-def strands(F: Expr, x: Symbol, t: Symbol, known: Mapping[Rational, Mapping[Expr, bool]]) -> list[Strand]:
+def strands(F: Expr, x: Symbol, t: Symbol, known: Mapping[Expr, Mapping[Expr, bool]]) -> list[Strand]:
     """Return every real branch of F(x, t) = 0 over t, complete.
 
     The resultant of F and ∂F/∂x is the discriminant times the leading coefficient in x. Between two of its
@@ -53,7 +53,8 @@ def strands(F: Expr, x: Symbol, t: Symbol, known: Mapping[Rational, Mapping[Expr
         a polynomial over ℚ without multiple factors
     x, t : Symbol
     known : mapping of t to mapping of x to bool
-        rational; the multiple roots there, and whether two branches cross in one with different slopes
+        the multiple roots there, and whether two branches cross in one with different slopes; they are double
+        if t is irrational
 
     Returns
     -------
@@ -85,7 +86,8 @@ def strands(F: Expr, x: Symbol, t: Symbol, known: Mapping[Rational, Mapping[Expr
         if low == -oo:
             growing = [((), None)] * count
         elif low in known and before == count:
-            for n in _crossed(curve, low, known[low], before):
+            crossed = _crossed if isinstance(low, Rational) else _crossed_at_irrational
+            for n in crossed(curve, low, known[low], before):
                 growing[n:n + 2] = growing[n + 1], growing[n]
         else:
             for m, (x0, n) in reversed(list(enumerate(_folds(curve, low, double, abs(before - count) // 2)))):
@@ -155,6 +157,17 @@ def _crossed(curve: PlaneCurve, at: Rational, known: Mapping[Expr, bool], count:
         below += 2 if known.get(root) else orders[root] % 2
     if below != count or any(order > 1 and root not in known for root, order in orders.items()):
         raise _untold(curve, at)
+    return found
+
+
+def _crossed_at_irrational(curve: PlaneCurve, at: Expr, known: Mapping[Expr, bool], count: int) -> list[int]:
+    """Return the same at an irrational t, where all the known roots are double."""
+    below, found = 0, []
+    for x0, simple in _folds(curve, at, list(known), len(known)):
+        crossing = known[x0]
+        if crossing:
+            found.append(simple + below)
+        below += 2 if crossing else 0
     return found
 
 

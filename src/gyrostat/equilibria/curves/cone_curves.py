@@ -12,8 +12,10 @@ from ..._cached import cached_property
 from ...algebra.enclosures.balls import ball
 from ...algebra.enclosures.precision import own_precision
 from ...algebra.reals.exact import evaluate, proved_sign
+from ...algebra.rings.matrices import applied
 from ...algebra.solving.plane_branches import Span, Strand
 from ...algebra.solving.roots import in_order, real_roots
+from ...errors import ScopeError
 from ...mechanics.scenes.system import System
 from ...notation import Stored, symbol
 from ...stability.criteria.amended_form import amended_form, dot
@@ -21,6 +23,7 @@ from ...stability.normal_forms.d4_along_family import cuts_in_windows
 from ...stability.normal_forms.local_motion import LocalMotion
 from ..finders.heavy import OMEGA
 from ..finders.heavy_form import HeavyForm
+from .inertia_axes import InertiaAxes
 
 TAU, RHO = symbol("tau"), symbol("rho")
 PRECISION = 192                                        # bits of what becomes doubles
@@ -45,8 +48,9 @@ class Near(NamedTuple):
 class ConeCurve(Stored):
     """Permanent rotations without a rotor: k = n/abs(n) and omega² = abs(n) along a parameter.
 
-    With ∇U = omega² Ik + sigma k and tau = sigma/omega², n_i = c_i/(tau + I_i): the parameter is tau. If c_i
-    = 0, k has any component along axis i at tau = −I_i: the parameter is rho, n_i. Derived in
+    With ∇U = omega² Ik + sigma k and tau = sigma/omega², n = (tau + I)⁻¹ c: the parameter is tau. If c is
+    across the axis e of a moment m, n has any part along e at tau = −m: the parameter is rho, n = n(−m) + rho
+    e. In principal axes n_i = c_i/(tau + I_i), and rho is n_i. Derived in
     docs/explanation/derivations/amended-potential.md, section 7.
 
     Parameters
@@ -94,14 +98,16 @@ class ConeCurve(Stored):
 
     def end(self, span: Span, at: Expr, root: Expr | None, side: int) -> End:
         """Return a limit of the arc: a principal axis, omega → ∞, or ±c, omega → 0."""
-        if self.parameter == RHO:
-            return End(tuple(-side * x.diff(RHO) for x in self.n), oo)
-        c = [x * (TAU + m) for x, m in zip(self.n, self.scene.body.moments)]
-        if far := at in (oo, -oo):
-            along = [-side * x for x in c]
-        else:
-            along = [side * x if m == -at else S.Zero for x, m in zip(c, self.scene.body.moments)]
-        return End(tuple(x / sqrt(dot(along, along)) for x in along), S.Zero if far else oo)
+        c = uniform(self.scene)
+        if self.parameter == TAU and at not in (oo, -oo):
+            return End(tuple(side * x for x in InertiaAxes(self.scene.body).direction(-at, c)), oo)
+        far = self.parameter == TAU
+        along = c if far else tuple(x.diff(RHO) for x in self.n)
+        return End(tuple(-side * x / sqrt(dot(along, along)) for x in along), S.Zero if far else oo)
+
+    @cached_property
+    def _momentum(self) -> tuple[Expr, ...]:
+        return tuple(applied(self.scene.body.tensor.tolist(), self.n))
 
     @cached_property
     def folds(self) -> list[Expr]:
@@ -116,7 +122,7 @@ class ConeCurve(Stored):
         """
         body, x = self.scene.body, self.parameter
         scale = dot(self.n, self.n)
-        gradient = [evaluate((m + self.tau / scale) * y, {}) for m, y in zip(body.moments, self.n)]
+        gradient = [evaluate(x + self.tau / scale * y, {}) for x, y in zip(self._momentum, self.n)]
         form = amended_form(body.tensor.tolist(), (S.Zero,) * 3, gradient, zeros(3).tolist(), self.n, S.One)
         margins = form.determinant, form.p, form.p**2 - 4 * form.q
         return in_order(list({root for margin in margins for root in real_roots(margin, x) or ()}))
@@ -129,24 +135,31 @@ class ConeCurve(Stored):
         """
         U = self.scene.potential
         assert U is not None
-        M = tuple(m * y for m, y in zip(self.scene.body.moments, self.n))
-        motion = LocalMotion(tuple(map(tuple, self.scene.body.inverse.tolist())), (S.Zero,) * 3, self.n, M,
-                             U.expression, lambda: (S.Zero, S.Zero), dot(self.n, self.n))
+        motion = LocalMotion(tuple(map(tuple, self.scene.body.inverse.tolist())), (S.Zero,) * 3, self.n,
+                             self._momentum, U.expression, lambda: (S.Zero, S.Zero), dot(self.n, self.n))
         found = cuts_in_windows(motion, self.parameter, None, None)
         return ([], None) if found is None else (found, True)
 
 
+def uniform(scene: System) -> tuple[Expr, ...]:
+    """Return the c of U = c·k."""
+    U = scene.potential
+    assert U is not None
+    c = tuple(U.value(d) if d else S.Zero for d in U.gradient())
+    if not U.given or any(x.free_symbols for x in c):
+        raise ScopeError(f"U = {U.expression} is not c·k, and the arcs are found in a uniform field only; in "
+                         "this one give a direction k1, k2, k3 to relative_equilibria")
+    return c
+
+
 def cone_curves(scene: System, c: Sequence[Expr]) -> Iterator[tuple[ConeCurve, Strand]]:
     """Yield the curve and the strand of every arc of a body without a rotor in U = c·k, at numbers."""
-    moments = scene.body.moments
-    none = [proved_sign(x) == 0 for x in c]
-    n = tuple(S.Zero if zero else x / (TAU + m) for x, m, zero in zip(c, moments, none))
-    poles = in_order(list({-m for m, zero in zip(moments, none) if not zero}))
-    curve = ConeCurve(scene, TAU, n, TAU)
+    axes, c = InertiaAxes(scene.body), [x if proved_sign(x) else S.Zero for x in c]
+    without = [m for m in axes.moments if not axes.is_along(m, c)]
+    curve = ConeCurve(scene, TAU, axes.divided(c, TAU, S.One), TAU)
+    poles = in_order([-m for m in axes.moments if m not in without])
     for low, high in pairwise([-oo, *poles, oo]):
         yield curve, Strand((Span(low, high, 0),), None, None)
-    for i in range(3):
-        if none[i] and -moments[i] not in poles:
-            beside = tuple(RHO if m == i else S.Zero if none[m] else c[m] / (moments[m] - moments[i])
-                           for m in range(3))
-            yield ConeCurve(scene, RHO, beside, -moments[i]), Strand((Span(-oo, oo, 0),), None, None)
+    for m in without:
+        beside = tuple(evaluate(x, {TAU: -m}) + RHO * y for x, y in zip(curve.n, axes.axis(m)))
+        yield ConeCurve(scene, RHO, beside, -m), Strand((Span(-oo, oo, 0),), None, None)

@@ -4,12 +4,13 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import lru_cache
 
-from sympy import Add, Expr, Mul, Rational, S, Symbol, oo, sqrt
+from sympy import Add, Expr, Rational, S, Symbol, oo, sqrt
 
 from ..._cached import cached_property
 from ...algebra.enclosures.balls import ball
 from ...algebra.reals.exact import evaluate, plain, proved_sign
-from ...algebra.rings.polynomials import cancel
+from ...algebra.rings.matrices import applied
+from ...algebra.rings.polynomials import Ring, cancel, lowest_terms
 from ...algebra.solving.plane_branches import Span, Strand, strands
 from ...algebra.solving.plane_curves import PlaneCurve
 from ...algebra.solving.roots import between, in_order, real_roots
@@ -23,7 +24,8 @@ from ...stability.spectrum import conditions
 from ..finders.heavy import OMEGA, SIGMA, heavy_forms
 from ..finders.heavy_form import HeavyForm
 from ..finders.heavy_polynomials import DIRECTION
-from .cone_curves import PRECISION, TAU, End, Near
+from .cone_curves import PRECISION, RHO, TAU, End, Near
+from .inertia_axes import InertiaAxes
 
 SLOWER = {SIGMA: OMEGA**2 * TAU}
 
@@ -32,24 +34,26 @@ SLOWER = {SIGMA: OMEGA**2 * TAU}
 class RateCurve(Stored):
     """The permanent rotations of every rate, as a plane curve over omega.
 
-    With ∇U = omega² Ik + omega l + sigma k and b = c − omega l, k_i = b_i/(sigma + omega² I_i). If b_i is 0
-    at every omega, k_i = 0, or sigma = −omega² I_i and k_i is what abs(k) = 1 leaves. Derived in
-    docs/explanation/derivations/amended-potential.md, section 7.
+    With ∇U = omega² Ik + omega l + sigma k and b = c − omega l, k = (sigma + omega² I)⁻¹ b. If b is across
+    the axis of a moment m at every omega, so is k, or sigma = −omega² m and the part of k along that axis is
+    what abs(k) = 1 leaves. Derived in docs/explanation/derivations/amended-potential.md, section 7.
 
     Parameters
     ----------
     scene : System
-        at given numbers, in principal axes, with U = c·k
+        at given numbers, with U = c·k
     b : tuple of Expr, shape (3,)
         in omega
     unknown : Symbol
-        sigma; or k_i, for rotations with sigma = −omega² I_i
+        sigma; or a component of k, for rotations with sigma = −omega² m
     equation : Expr
         a polynomial in the unknown and omega, of which the unknown is a root
     k : tuple of Expr, shape (3,)
         in omega and the unknown
     through : tuple of Expr
         the rates at which branches cross in a circle of rotations, if two moments are equal
+    moment : Expr or None
+        the m of sigma = −omega² m; None if sigma is the unknown
     """
 
     scene: System
@@ -58,6 +62,7 @@ class RateCurve(Stored):
     equation: Expr
     k: tuple[Expr, ...]
     through: tuple[Expr, ...] = ()
+    moment: Expr | None = None
     parameter, omega_squared = OMEGA, OMEGA**2
     folds = ()
 
@@ -81,19 +86,19 @@ class RateCurve(Stored):
         return HeavyForm(self.scene, self.directed(value, root), value)
 
     def _among_others(self, span: Span) -> HeavyForm:
-        """Return the rotation where roots meet: two of one sigma have k_i of the signs of their branches."""
+        """Return the rotation where roots meet: two of one sigma have the signs of their branches."""
         found = self.all_at(span.high)
         level = found[span.place][0]
-        signs = [proved_sign(x) for x in self.at(span, between(span.low, span.high)).k]
-        return next(rotation for sigma, rotation in found if proved_sign(sigma - level) == 0
-                    and all(proved_sign(x) in (0, sign) for x, sign in zip(rotation.k, signs)))
+        axes, before = InertiaAxes(self.scene.body), self.at(span, between(span.low, span.high)).k
+        return next(rotation for sigma, rotation in found if proved_sign(sigma - level) == 0 and not any(
+            proved_sign(evaluate(dot(axes.part(m, before), rotation.k), {})) == -1 for m in axes.moments))
 
     def all_at(self, omega: Expr) -> list[tuple[Expr, HeavyForm]]:
-        """Return sigma and rotation of all with k_i = 0 if b_i is 0 at every omega, in the order of sigma."""
+        """Return sigma and rotation of all with k across the axes that b is across, in the order of sigma."""
         found = []
         for whole in heavy_forms(self.scene, {"omega": omega}):
             for rotation in self._on_branches(whole):
-                if not any(proved_sign(x) for x, y in zip(rotation.k, self.b) if not y):
+                if not any(proved_sign(evaluate(dot(axis, rotation.k), {})) for axis in self._across):
                     found.append((self.sigma(rotation), rotation))
         order = in_order([sigma for sigma, _ in found])
         return sorted(found, key=lambda pair: order.index(pair[0]))
@@ -102,19 +107,24 @@ class RateCurve(Stored):
         """Return the rotation; on a circle of them the two through which branches pass, along b."""
         if rotation.circle is None:
             return [rotation]
-        within = [not x for x in rotation.circle]          # the axes in whose plane k may be turned
-        slopes = [y.coeff(OMEGA, 1) if turns else S.Zero for y, turns in zip(self.b, within)]
-        square = Add(*(x**2 for x, turns in zip(rotation.k, within) if turns))
-        scale = sqrt(square / dot(slopes, slopes))
-        return [replace(rotation, k=tuple(evaluate(side * y, {}) if turns else x
-                                          for x, y, turns in zip(rotation.k, slopes, within)))
+        k, a = rotation.k, rotation.circle                 # k may be turned about a
+        slopes, kept = (tuple(x - dot(v, a) / dot(a, a) * y for x, y in zip(v, a))
+                        for v in (self.scene.body.gyrostatic_momentum, k))
+        scale = sqrt(dot(kept, kept) / dot(slopes, slopes))
+        return [replace(rotation, k=tuple(evaluate(x - y - side * z, {}) for x, y, z in zip(k, kept, slopes)))
                 for side in (-scale, scale)]
+
+    @cached_property
+    def _across(self) -> list[tuple[Expr, ...]]:
+        """The axes that b is across at every omega."""
+        axes = InertiaAxes(self.scene.body)
+        return [axes.axis(m) for m in axes.moments if not axes.is_along(m, self.b)]
 
     def sigma(self, rotation: HeavyForm) -> Expr:
         """Return the sigma of a rotation on the curve, exact."""
         k, at = rotation.k, rotation.omega
-        return evaluate(dot(k, [evaluate(y, {OMEGA: at}) - at**2 * m * x
-                                for x, y, m in zip(k, self.b, self.scene.body.moments)]), {})
+        return evaluate(dot(k, [evaluate(y, {OMEGA: at}) - at**2 * x for x, y in zip(
+            applied(self.scene.body.tensor.tolist(), k), self.b)]), {})
 
     def near(self, span: Span, value: Fraction) -> Near:
         """Return the rotation at a rational rate in doubles."""
@@ -125,8 +135,7 @@ class RateCurve(Stored):
         root = self.plane.roots(value, precision=PRECISION)[span.place]
         here = {OMEGA: ball(omega, PRECISION), self.unknown: root}
         k = tuple(float(ball(x, PRECISION, here).mid()) for x in self.k)
-        parts = zip(self.k, self.scene.body.moments)
-        sigma = SIGMA if self.unknown == SIGMA else next(-OMEGA**2 * m for x, m in parts if x == self.unknown)
+        sigma = SIGMA if self.moment is None else -OMEGA**2 * self.moment
         return Near(k, float(omega), float(ball(sigma, PRECISION, here).mid()))
 
     def end(self, span: Span, at: Expr, root: Expr | None, side: int) -> End:
@@ -136,15 +145,15 @@ class RateCurve(Stored):
 
     def _far(self, place: int, omega: Expr) -> tuple[Expr, ...]:
         """Return the k of a root, counted from below, as omega goes to −∞ or ∞: along a principal axis."""
-        moments = self.scene.body.moments
-        if self.unknown != SIGMA:
-            side = 2 * place - 1
-            return tuple(S(side) if x == self.unknown else S.Zero for x in self.k)
-        free = sorted({m for m, y in zip(moments, self.b) if y}, reverse=True)
-        parts = [y if m == free[place // 2] else S.Zero for m, y in zip(moments, self.b)]
-        leading = [y.coeff(OMEGA, 1) * (1 if omega == oo else -1) for y in parts]
-        vector = leading if any(leading) else parts
-        return tuple((2 * (place % 2) - 1) * x / sqrt(dot(vector, vector)) for x in vector)
+        axes, side = InertiaAxes(self.scene.body), 2 * (place % 2) - 1
+        if self.moment is not None:
+            axis = axes.axis(self.moment)
+            return tuple(side * x / sqrt(dot(axis, axis)) for x in axis)
+        free = in_order([m for m in axes.moments if axes.is_along(m, self.b)])[::-1]
+        vector = [y.coeff(OMEGA, 1) * (1 if omega == oo else -1) for y in self.b]
+        if not axes.is_along(free[place // 2], vector):
+            vector = [y.xreplace({OMEGA: S.Zero}) for y in self.b]
+        return tuple(side * x for x in axes.direction(free[place // 2], vector))
 
     @cached_property
     def critical(self) -> list[Expr]:
@@ -185,48 +194,53 @@ def _roots(equation: Expr, unknown: Symbol, omega: Expr) -> list[Expr]:
 def rate_curves(scene: System, c: Sequence[Expr]) -> Iterator[tuple[RateCurve, Strand]]:
     """Yield the curve and the strand of every admissible arc of a body with a rotor in U = c·k, at numbers.
 
-    Multiple roots of the equation are folds, but for those that are known. If a b_i is 0 at one omega, so are
-    d_i = sigma + omega² I_i and k_i d_i: two rotations with k_i of two signs have one sigma, and their
-    branches cross; or there is none, or one with k_i = 0. If two moments are equal, those are two points of a
-    circle of rotations, along b_i and b_j.
+    Multiple roots of the equation are folds, but for those that are known. If at one omega b is across the
+    axis of a moment m, then at sigma = −omega² m two rotations, whose parts along it have two signs, have one
+    sigma, and their branches cross; or there is none, or one across it. If two moments are equal, those are
+    two points of a circle of rotations, along b.
 
     Raises
     ------
     ScopeError
         a number is not rational, or there are circles of rotations at every omega
     """
-    moments, rotor = scene.body.moments, scene.body.gyrostatic_momentum
-    if not all(isinstance(x, Rational) for x in (*moments, *rotor, *c)):
-        raise ScopeError(f"inertia = {moments}, l = {rotor}, c = {c}: with a rotor the arcs are found if "
-                         "all numbers are rational; round the others to decimals, or give one rate omega")
+    axes, rotor = InertiaAxes(scene.body), scene.body.gyrostatic_momentum
+    if not all(isinstance(x, Rational) for x in (*scene.body.entries, *rotor, *c)):
+        raise ScopeError(f"c = {c}, l = {rotor}: with a rotor the arcs are found at rational numbers; round "
+                         "the others, also those of the inertia, to decimals, or give one rate omega")
     b = tuple(x - OMEGA * y for x, y in zip(c, rotor))
-    squares = {m: Add(*(y**2 for n, y in zip(moments, b) if n == m)).expand() for m in moments}
-    known: dict[Expr, dict[Expr, bool]] = {S.Zero: {S.Zero: False}}            # all d_i are sigma there
+    k = axes.divided(b, SIGMA, OMEGA**2)
+    parts = {m: axes.part(m, b) for m in axes.moments}
+    known: dict[Expr, dict[Expr, bool]] = {S.Zero: {S.Zero: False}}            # all of k is sigma b there
     through = []
-    for m in moments:
-        for at in real_roots(squares[m], OMEGA) or ():
-            if at != 0:
-                crossing = proved_sign(_left(squares, m, at)) == 1
-                known.setdefault(at, {})[-at**2 * m] = crossing
-                through += [at] if crossing and moments.count(m) > 1 else []
-    free = [m for m, square in squares.items() if square]
-    d = {m: SIGMA + OMEGA**2 * m for m in free}
-    equation = Add(*(squares[m] * Mul(*(d[n]**2 for n in free if n != m)) for m in free),
-                   -Mul(*(d[m]**2 for m in free)))
-    curve = RateCurve(scene, b, SIGMA, equation, tuple(y / d[m] if y else S.Zero for y, m in zip(b, moments)),
-                      tuple(dict.fromkeys(through)))
-    yield from ((curve, strand) for strand in strands(equation, SIGMA, OMEGA, known))
-    for i, m in enumerate(moments):
-        if not b[i] and not squares[m]:
-            unknown = DIRECTION[i]
-            equation = (OMEGA**4 * (unknown**2 - _left(squares, m, OMEGA))).expand()
-            k = tuple(unknown if n == i else y / (OMEGA**2 * (moments[n] - m)) if y else S.Zero
-                      for n, y in enumerate(b))
-            curve = RateCurve(scene, b, unknown, equation, k)
-            yield from ((curve, strand) for strand in strands(equation, unknown, OMEGA, {S.Zero: {}}))
+    for m in parts:
+        for at in axes.values_across(m, c, rotor, OMEGA):
+            crossing = proved_sign(_left(parts, m, at)) == 1
+            known.setdefault(at, {})[-at**2 * m] = crossing
+            through += [at] if crossing and axes.order(m) > 1 else []
+    curve = RateCurve(scene, b, SIGMA, _numerator(k), k, tuple(through))
+    yield from ((curve, strand) for strand in strands(curve.equation, SIGMA, OMEGA, known))
+    for m in parts:
+        if not axes.is_along(m, b):
+            if not isinstance(m, Rational):
+                raise ScopeError(f"c = {c}, l = {rotor}: both are along one principal axis, and the other "
+                                 "moments are irrational: give one rate omega")
+            axis = axes.axis(m)
+            unknown = DIRECTION[axis.index(1)] if sum(map(bool, axis)) == 1 else RHO
+            across = (lowest_terms(x.xreplace({SIGMA: -OMEGA**2 * m})) for x in k)
+            along = tuple(x + unknown * y for x, y in zip(across, axis))
+            curve = RateCurve(scene, b, unknown, _numerator(along), along, moment=m)
+            yield from ((curve, strand) for strand in strands(curve.equation, unknown, OMEGA, {S.Zero: {}}))
 
 
-def _left(squares: Mapping[Expr, Expr], m: Expr, omega: Expr) -> Expr:
-    """Return what abs(k) = 1 leaves for the square of the parts with the moment m, at sigma = −omega² m."""
-    return 1 - Add(*(evaluate(square, {OMEGA: omega}) / (omega**2 * (n - m)) ** 2
-                     for n, square in squares.items() if n != m))
+def _numerator(k: Sequence[Expr]) -> Expr:
+    """Return the numerator of abs(k)² − 1."""
+    square = dot(k, k) - 1
+    ring = Ring([square])
+    return ring.expression(ring.fraction(square)[0])
+
+
+def _left(parts: Mapping[Expr, Sequence[Expr]], m: Expr, omega: Expr) -> Expr:
+    """Return what abs(k) = 1 leaves for the square of the part with the moment m, at sigma = −omega² m."""
+    return 1 - Add(*((evaluate(x, {OMEGA: omega}) / (omega**2 * (n - m))) ** 2
+                     for n, part in parts.items() if n != m for x in part))

@@ -19,7 +19,7 @@ from ...stability.criteria.amended_form import dot
 from ..finders.heavy_polynomials import DIRECTION
 from ..finders.rate_level_tilt import exact_point
 from .arc import Arc
-from .cone_curves import cone_curves
+from .cone_curves import cone_curves, uniform
 from .rate_curves import rate_curves
 
 
@@ -111,8 +111,8 @@ class StaudeCone(Shown, Stored):
         Raises
         ------
         ScopeError
-            U is not c·k, the axes are not principal, or the body is one of revolution in its field; with a
-            rotor, a number is not rational
+            U is not c·k, or the body is one of revolution in its field; with a rotor, a number is not
+            rational
         ValuesError
             a name is missing or unknown, or a number is not admissible
         """
@@ -121,14 +121,14 @@ class StaudeCone(Shown, Stored):
         if missing := sorted(needed - values.keys()):
             raise ValuesError(f"the scene needs {', '.join(missing)}: give a number for each")
         here = at_numbers(self.scene, numbers)
-        c = _linear(here)
+        c = uniform(here)
         if not any(c):
             raise ScopeError("U does not depend on k: the body is free; assemble it without a potential, and "
                              "relative_equilibria finds its permanent rotations")
         turned = StaudeCone(here).turned
         if recognise(here):
             rotor = f", l = {here.body.gyrostatic_momentum}" if turned else ""
-            raise ScopeError(f"inertia = {here.body.moments}, c = {c}{rotor}: the body is one of revolution "
+            raise ScopeError(f"c = {c}{rotor}: the body is one of revolution "
                              "in its field, and the axes of its permanent rotations form whole circles: "
                              "use relative_equilibria")
         return [Arc(*found) for found in (rate_curves(here, c) if turned else cone_curves(here, c))]
@@ -177,17 +177,6 @@ def staude_cone(scene: System) -> StaudeCone:
         raise ScopeError("Staude's cone belongs to a body in a field, and the scene has none: give a "
                          "potential; for a free body relative_equilibria finds every permanent rotation")
     return StaudeCone(scene)
-
-
-def _linear(scene: System) -> tuple[Expr, ...]:
-    """Return the c of U = c·k."""
-    U = scene.potential
-    assert U is not None
-    c = tuple(U.value(d) if d else S.Zero for d in U.gradient())
-    if not U.given or any(x.free_symbols for x in c):
-        raise ScopeError(f"U = {U.expression} is not c·k, and the arcs are found in a uniform field only; in "
-                         "this one give a direction k1, k2, k3 to relative_equilibria")
-    return c
 
 
 def _triple(a: Sequence[Expr], b: Sequence[Expr]) -> Expr:

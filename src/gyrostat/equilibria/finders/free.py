@@ -64,7 +64,7 @@ def rotations_on_sphere(scene: System, radius: Expr) -> list[FreeForm]:
                  for nu, M, axis in points_on_sphere(eye(3) - NU * body.tensor, inside, size, NU)]
     else:
         found = list(_about_axes(scene, radius))
-    return sorted(found, key=_by_energy)
+    return sorted(found, key=energy_and_momentum)
 
 
 def _about_axes(scene: System, radius: Expr) -> Iterator[FreeForm]:
@@ -89,10 +89,10 @@ def _about_axes(scene: System, radius: Expr) -> Iterator[FreeForm]:
             yield FreeForm(scene, tuple(M), 1 / moment, about)
 
 
-def _by_energy(form: FreeForm) -> list[float]:
-    """Return energy and M, by which rotations are sorted."""
+def energy_and_momentum(form: FreeForm) -> list[float]:
+    """Return the energy and M in doubles, from enclosures; rotations are sorted by them."""
     with own_precision(PRECISION):
         inverse, M, _ = form.enclosed
         pi = [m - ball(l, PRECISION) for m, l in zip(M, form.scene.body.gyrostatic_momentum)]
-        energy = dot(pi, [dot(row, pi) for row in inverse])
+        energy = dot(pi, [dot(row, pi) for row in inverse]) / 2
     return [float(x.mid()) for x in (energy, *M)]

@@ -10,7 +10,7 @@ from ...equilibria.curves.cone_curves import TAU
 from ...equilibria.curves.rate_curves import RateCurve
 from ...equilibria.curves.staude import StaudeCone
 from ...equilibria.relative_equilibrium import RelativeEquilibrium
-from ...notation import symbol
+from ...notation import components, symbol
 from ...stability.decision import Rung
 from ..blocks import Block, Display, Word, equations, listed, sentence
 from ..letters import letter, letters_in
@@ -53,7 +53,8 @@ def _parameter(arc: Arc) -> tuple[Any, ...]:
         return "Its parameter is the rate ", OMEGA, *told
     if arc.parameter == TAU:
         return "Its parameter is ", *equations([(TAU, SIGMA / OMEGA**2)]), *multiplier
-    component = symbol(f"k{arc.curve.n.index(arc.parameter) + 1}")
+    axis = [x.diff(arc.parameter) for x in arc.curve.n]
+    component = Add(*(x * k for x, k in zip(axis, components("k")))) / Add(*(x**2 for x in axis))
     return ("Its parameter is ", *equations([(arc.parameter, OMEGA**2 * component)]), ", and ",
             *equations([(SIGMA / OMEGA**2, arc.curve.tau)]), " is constant", *multiplier)
 
