@@ -36,13 +36,17 @@ FOLDER = TemporaryDirectory()
 
 @dataclass(frozen=True)
 class Row:
-    """One speed: its name, its baseline by name, both calls, and the pieces of work in each."""
+    """One speed: its name, its baseline by name, both calls, and the pieces of work in each.
+
+    noisy: why a loss of it is told only, because the ratio is another one beside other processes.
+    """
 
     name: str
     baseline: str
     ours: Callable[[], object]
     theirs: Callable[[], object]
     pieces: tuple[int, int] = (1, 1)
+    noisy: str = ""
 
 
 def rows() -> Iterator[Row]:

@@ -50,6 +50,7 @@ LIMITS = {"--version": 19, "report": 116, "conditions": 147, "decide": 155, "dec
           "verify": 207}
 
 
+@pytest.mark.few(4)                                    # each is a process
 @pytest.mark.parametrize("name", COMMANDS)
 def test_a_verb_loads_no_more_modules_than_it_needs(name):
     """Packages not counted; NumPy where there are arrays, Matplotlib where there is a picture."""
@@ -62,6 +63,7 @@ def test_a_verb_loads_no_more_modules_than_it_needs(name):
     assert ("sympy" in packages) == (name != "--version")
 
 
+@pytest.mark.few(2)
 @pytest.mark.parametrize("asked", [
     ["--potential", "m0*k3", "--set", "I1=2", "I3=1", "l=1", "m0=1/2", "omega=1"],
     ["--potential", "none", "--inertia", "1,2,3", "--gyrostatic-momentum=0,0,1/2", "--momentum", "2"],

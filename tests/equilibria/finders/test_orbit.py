@@ -67,6 +67,7 @@ def test_a_component_of_the_rotor_of_the_size_of_a_rounding(small):
         np.testing.assert_allclose(*([float(x) for x in y.frequencies] for y in (e, other)), rtol=0.05)
 
 
+@pytest.mark.few(5)                                    # each seed, and each size
 @pytest.mark.parametrize("size", [10**20, 10**50], ids=["20", "50"])
 @pytest.mark.parametrize("seed", range(4))
 def test_long_numbers_with_unlike_denominators(size, seed):

@@ -19,7 +19,8 @@ def test_arcs_as_text(capsys):
     assert "to k = (0, 0, 1), where ω =" in out and "every ω: stable" in out
 
 
-@pytest.mark.parametrize("field", ["k3", "2*k1 - k3", "-k1 + k2 - 3*k3"])
+@pytest.mark.parametrize("field", ["k3", "2*k1 - k3",
+                                   pytest.param("-k1 + k2 - 3*k3", marks=pytest.mark.slow)])
 def test_what_is_not_proved_of_single_rates_is_said(capsys, field):
     """In the order of the pieces, of those that D4 decides and of no others."""
     asked = ["--potential", field, "--inertia", "2,1,6/5", "--gyrostatic-momentum=0,3/8,-1"]

@@ -7,6 +7,7 @@ from typing import Any, ClassVar
 from sympy import Add, Expr, ImmutableMatrix, Rational, sqrt
 
 from ...algebra.reals.exact import is_identically_zero, sign_of_constant
+from ...algebra.rings.matrices import cross
 from ...algebra.text.numbers import exact_expression, shown
 from ...arguments import checked
 from ...errors import EquilibriumError, PotentialError, ScopeError, brief
@@ -22,6 +23,7 @@ from ..scenes.system import System
 
 NORMAL, VERTICAL = "n", "r"
 RATE = symbol("omega0")
+VELOCITY = dict(zip(components("t"), cross(components(NORMAL), components(VERTICAL))))     # t = n × r
 
 
 @dataclass(frozen=True)
@@ -53,9 +55,9 @@ def circular_orbit(rate: Any = None, *, mu: Any = None, radius: Any = None,
         in place of the rate: the gravitational parameter [L³/T²] and the radius of the orbit [L],
         ω0² = mu/radius³
     potential : Expr, str or callable
-        another energy in n1, n2, n3, r1, r2, r3, beside the gravity gradient, or a text or a function of it:
-        −B n·μ of a magnet μ in a field B along the normal, f ρ·(n × r) of a constant drag f at the point ρ of
-        the body [M L²/T²]
+        another energy beside the gravity gradient, or a text of it, in n1, n2, n3, r1, r2, r3, and t1, t2,
+        t3 for n × r; or a function of the first six: −B n·μ of a magnet μ in a field B along the normal, f
+        ρ·t of a constant drag f against the velocity at the point ρ of the body [M L²/T²]
     rotors : sequence of Rotor
         those of gyrostat_with_rotors: the tensor of the body is without the axial moments of the free ones,
         on which gravity acts
@@ -103,7 +105,7 @@ def circular_orbit(rate: Any = None, *, mu: Any = None, radius: Any = None,
 def _beside(potential: Any) -> Expr:
     """Return another energy in the directions of the orbit."""
     if not callable(potential):
-        potential = exact_expression(potential, "U")
+        potential = exact_expression(potential, "U").xreplace(VELOCITY)
     fixed = sorted(str(k) for k in getattr(potential, "free_symbols", set()) & set(DIRECTIONS))
     if fixed:
         raise PotentialError(f"U = {potential} has {', '.join(fixed)}, a direction fixed in space, and "

@@ -4,6 +4,7 @@ from functools import lru_cache
 
 from sympy import Add, Expr, ImmutableMatrix, Mul, Symbol
 
+from ...algebra.rings.matrices import applied
 from ...algebra.rings.polynomials import Ring, derivatives
 from ...notation import jet
 from .lie_poisson import LiePoisson
@@ -15,7 +16,7 @@ from .potential import Potential
 def jet_field(space: LiePoisson, energy_gradient: tuple[Expr, ...]) -> ImmutableMatrix:
     """Return B ∇h, with one coefficient for each product of coordinates."""
     return ImmutableMatrix([_collected(component, space.coordinates)
-                            for component in (space.tensor * ImmutableMatrix(energy_gradient)).flat()])
+                            for component in applied(space.tensor.tolist(), energy_gradient)])
 
 
 @lru_cache(maxsize=64)
