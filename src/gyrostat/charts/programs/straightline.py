@@ -132,9 +132,8 @@ def program_of(margin: Expr, axes: Mapping[Symbol, Axes], named: Named | None = 
 def programs_of(margins: tuple[Expr, ...], axes: Mapping[Symbol, Axes],
                 named: Named | None = None) -> Program:
     """Return one program with a result for each margin; what they have in common is computed once."""
-    return _program(margins,
-                    tuple(sorted(((s.name, a) for s, a in axes.items() if a), key=lambda pair: pair[0])),
-                    named)
+    varying = sorted(((s.name, a) for s, a in axes.items() if a), key=lambda pair: pair[0])
+    return _program(margins, tuple(varying), named)
 
 
 @lru_cache(maxsize=512)
@@ -221,8 +220,7 @@ class Writer:
 
         Any other pair is like one of these.
         """
-        count = Counter[Axes]()
-        places: list[int] = []
+        count, places = Counter[Axes](), list[int]()
         for n, (term, _) in enumerate(terms):
             along = self.steps[term].axes
             count[along] += 1
