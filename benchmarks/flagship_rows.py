@@ -19,6 +19,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 import baselines
+import measured
 import numpy as np
 import routes
 from matplotlib.figure import Figure
@@ -230,7 +231,7 @@ def commands() -> Iterator[Row]:
     """Whole processes."""
     def command(*arguments):
         return partial(subprocess.run, [sys.executable, "-m", "gyrostat", *arguments], check=True,
-                       stdout=subprocess.DEVNULL)
+                       stdout=subprocess.DEVNULL, env=measured.BYTECODE)
     attitudes = ("decide", *"--orbit 1 --inertia 1,5/4,8/5 --gyrostatic-momentum 3/10,1/5,1/10".split())
     yield Row("gyrostat report", "import sympy", command("report"), baselines.start_with_sympy)
     yield Row("gyrostat decide --orbit", "import sympy", command(*attitudes), baselines.start_with_sympy)

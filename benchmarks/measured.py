@@ -12,6 +12,8 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
 BLOCK = 0.02                                               # seconds that are timed at least at a time
+# of a process: what is installed has its bytecode, as SymPy has
+BYTECODE = {**os.environ, "PYTHONDONTWRITEBYTECODE": ""}
 
 
 def cpu() -> float:

@@ -138,8 +138,7 @@ def on_circles(moments, rotor, rate, seed):
     """Newton's method ends on none but the circles found: the axis in (t, n, r) is that of one."""
     equilibria = found(moments, rotor, rate)
     axis = next(i for i in range(3) if moments[i - 1] == moments[i - 2])
-    here = np.array([[float(ball(e.attitude[row, axis], 128).mid()) for row in (1, 2, 0)]
-                     for e in equilibria])
+    here = np.array([np.array(e.attitude.matrix)[:, axis] for e in equilibria])
     assert len({tuple(np.round(z, 7)) for z in here}) == len(here)
     for place in search(moments, rotor, rate, starts=100, seed=seed):
         z = np.array([np.cross(place[:3], place[3:])[axis], place[axis], place[3 + axis]])

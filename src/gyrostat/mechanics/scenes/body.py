@@ -8,7 +8,7 @@ from sympy import Add, Expr, ImmutableMatrix, Rational, S, Symbol, radsimp
 from ..._cached import cached_property
 from ..._display import Shown
 from ...algebra.reals.exact import is_identically_zero, plain, sign_of_constant
-from ...algebra.rings.matrices import immutable
+from ...algebra.rings.matrices import adjugate, immutable
 from ...algebra.text.numbers import exact_expression, shown
 from ...algebra.text.quantities import not_mixed
 from ...arguments import checked, several
@@ -94,7 +94,8 @@ class Gyrostat(Shown, Stored):
     def inverse(self) -> ImmutableMatrix:
         """The inverse I⁻¹ of the tensor, shape (3, 3): ω = I⁻¹ π."""
         if isinstance(self.inertia, ImmutableMatrix):
-            return ImmutableMatrix(self.inertia.adjugate() / self.inertia.det(method="berkowitz"))
+            whole = self.inertia.det(method="berkowitz")
+            return immutable([[entry / whole for entry in row] for row in adjugate(self.inertia.tolist())], 3)
         return _diagonal([1 / moment for moment in self.inertia])
 
     @property
@@ -104,7 +105,7 @@ class Gyrostat(Shown, Stored):
             return tuple(self.inertia)
         return tuple(self.inertia[i, j] for i, j in ((0, 0), (1, 1), (2, 2), (1, 2), (2, 0), (0, 1)))
 
-    @property
+    @cached_property
     def positive(self) -> tuple[Expr, ...]:
         """What is positive for any body: the moments, or the leading principal minors of the tensor."""
         if not isinstance(self.inertia, ImmutableMatrix):
