@@ -139,9 +139,15 @@ def test_the_energy_is_the_hamiltonian(found):
         if kind(e) == ORBIT:
             (n, r), rate = map(doubles, e.directions), float(e.rates["omega0"])
             expected += 3 * rate**2 * r @ inertia @ r / 2 - rate * n @ (inertia @ omega + rotor)
+            expected += drag(e) * np.cross(n, r)[0]
         elif kind(e) != FREE:
             expected += float(e.scene.potential.expression.subs(dict(zip(DIRECTIONS, e.directions[0]))))
         assert float(e.energy) == pytest.approx(expected, rel=1e-13, abs=1e-13)
+
+
+def drag(e):
+    """Of the case with drag on axis 1."""
+    return 0.8 * (e.scene.potential.expression.coeff(gs.symbol("n2") * gs.symbol("r3")) != 0)
 
 
 def eigenvalues(e):
@@ -150,6 +156,8 @@ def eigenvalues(e):
     x = doubles(e.point)
     if kind(e) == ORBIT:
         scene, state = of_orbit(np.diag(inertia), x[3:6], x[6:], rotor)
+        for i, j, sign in ((1, 5, 1), (5, 1, 1), (2, 4, -1), (4, 2, -1)):      # of t1 = n2 r3 − n3 r2
+            scene.S[i][j] += sign * drag(e)
         return np.linalg.eigvals(np.array(scene.jacobian(state), float))
     inverse = np.linalg.inv(inertia)
     if kind(e) == FREE:

@@ -4,13 +4,16 @@ The six quartics of the critical points, times monomials, span J in degree D. Fu
 D − 2 that are φ(N f), with φ zero on J, see no zero on N = 0.
 """
 from collections.abc import Sequence
+from itertools import islice
 from typing import NamedTuple
 
 from flint import nmod_mat
 
-from .quartic_forms import Form, at_infinity, minors, monomials, multiples
+from .quartic_forms import QuarticForm, at_infinity, minors, monomials, multiples
 
-PRIMES = 2305843009213693951, 2305843009213693921
+PRIMES = (2305843009213693951, 2305843009213693921, 2305843009213693907, 2305843009213693723,
+          2305843009213693693, 2305843009213693669, 2305843009213693613)
+TRIES = 2                                              # primes for each form
 # pairs of linear forms, which no symmetry of a satellite prefers
 LINES = ((331, -709, 523, 117), (-829, 257, 131, 503)), ((-419, 613, 887, -239), (571, 911, -173, 397))
 Line = tuple[int, int, int, int]
@@ -32,8 +35,6 @@ class Bound(NamedTuple):
         columns of the others: those with which the functionals begin, as many as the bound
     lower : sequence of int
         as many monomials such that no combination of functionals vanishes on them, times the second form
-    matrix : sequence of rows
-        J
     """
 
     lines: tuple[Line, Line]
@@ -42,7 +43,6 @@ class Bound(NamedTuple):
     solved: Sequence[int]
     free: Sequence[int]
     lower: Sequence[int]
-    matrix: Sequence[Sequence[int]]
 
     @property
     def most(self) -> int:
@@ -50,7 +50,7 @@ class Bound(NamedTuple):
         return len(self.free)
 
 
-def bounded(form: Form, lines: tuple[Line, Line]) -> Bound | None:
+def bounded(form: QuarticForm, lines: tuple[Line, Line]) -> Bound | None:
     """Return a bound for the number of critical points with N ≠ 0; None if none is proved.
 
     Modulo a prime the functionals have the rank m = rk(J + N) − rk J. Over ℚ it is at most m: J has no lower
@@ -61,9 +61,11 @@ def bounded(form: Form, lines: tuple[Line, Line]) -> Bound | None:
     ----------
     Derived in docs/explanation/derivations/satellite.md, section 10.
     """
-    known, matrix = at_infinity(form, PRIMES), multiples(minors(form), DEGREE, 4)
-    several = (_modulo(matrix, p, lines, known is not None) for p in (PRIMES if known is None else known))
-    return next((found for found in several if found is not None), None)
+    known = at_infinity(form, PRIMES)
+    several = ((p, form.modulo(p)) for p in (PRIMES if known is None else known))
+    tried = islice(((p, f) for p, f in several if f is not None), TRIES)
+    found = (_modulo(multiples(minors(f), DEGREE, 4), p, lines, known is not None) for p, f in tried)
+    return next((bound for bound in found if bound is not None), None)
 
 
 def _modulo(matrix: Sequence[Sequence[int]], p: int, lines: tuple[Line, Line], beyond: bool) -> Bound | None:
@@ -84,7 +86,7 @@ def _modulo(matrix: Sequence[Sequence[int]], p: int, lines: tuple[Line, Line], b
     if independent < len(free):
         return None
     rows = _pivots(*_reduced(_transposed(matrix), p))
-    return Bound(lines, beyond, rows, solved, free, _pivots(lower, independent), matrix)
+    return Bound(lines, beyond, rows, solved, free, _pivots(lower, independent))
 
 
 def times_norm(functionals: Sequence[Sequence], degree: int) -> list[list]:

@@ -1,10 +1,11 @@
 """Critical points of a quartic form on N = q·q = 1: approximated all at once, and enclosed one by one."""
 from collections.abc import Sequence
+from typing import Any
 
-from flint import acb, acb_mat, arb, arb_mat, ctx, fmpz_mat
+from flint import acb, acb_mat, arb, arb_mat, ctx
 
 from .bounds import DEGREE, Bound, times_line, times_norm
-from .quartic_forms import Exponents, Form, monomials, moved, slopes
+from .quartic_forms import Exponents, Form, QuarticForm, minors, monomials, moved, multiples, slopes
 
 # along which the body turns: −b, a, d, −c, as pairs of a place and a sign, and two others
 TURNS = (((1, -1), (0, 1), (3, 1), (2, -1)), ((2, -1), (3, -1), (0, 1), (1, 1)),
@@ -12,13 +13,13 @@ TURNS = (((1, -1), (0, 1), (3, 1), (2, -1)), ((2, -1), (3, -1), (0, 1), (1, 1)),
 STEPS = 12                                             # of Newton's method, at most
 
 
-def approximated(bound: Bound) -> list[list[acb]]:
+def approximated(form: QuarticForm, bound: Bound) -> list[list[acb]]:
     """Return approximations of all critical points, at the precision that is set; none is proved.
 
     The functionals of the bound span the evaluations at the points. On ℓ f and ℓ' f they give two matrices,
     whose ratio has the eigenvalues ℓ/ℓ' at the points; eigenvectors give the values of all monomials there.
     """
-    matrix, free = bound.matrix, bound.free
+    matrix, free = multiples(minors(form.enclosed()), DEGREE, 4), bound.free
     square = arb_mat([[matrix[n][column] for column in bound.solved] for n in bound.rows])
     known = arb_mat([[-matrix[n][column] for column in free] for n in bound.rows])
     solved = square.solve(known, algorithm="approx").mid().tolist()
@@ -49,13 +50,22 @@ class CriticalEquations:
 
     Parameters
     ----------
-    form : mapping of exponents to int
+    form : QuarticForm
     """
 
-    def __init__(self, form: Form):
-        torques = [_torque(form, turn) for turn in TURNS]
-        self._values = fmpz_mat([[f.get(e, 0) for e in monomials(4)] for f in torques])
-        self._slopes = fmpz_mat([[g.get(e, 0) for e in monomials(3)] for f in torques for g in slopes(f)])
+    def __init__(self, form: QuarticForm):
+        self._form = form
+        self._found: dict[int, tuple[acb_mat, acb_mat]] = {}
+
+    @property
+    def _matrices(self) -> tuple[acb_mat, acb_mat]:
+        """The coefficients of the torques, and of their derivatives, at the precision that is set."""
+        if ctx.prec not in self._found:
+            torques = [_torque(self._form.enclosed(), turn) for turn in TURNS]
+            bends = [g for f in torques for g in slopes(f)]
+            self._found[ctx.prec] = (acb_mat([[acb(f.get(e, 0)) for e in monomials(4)] for f in torques]),
+                                     acb_mat([[acb(g.get(e, 0)) for e in monomials(3)] for g in bends]))
+        return self._found[ctx.prec]
 
     def enclosed(self, near: Sequence[acb]) -> list[acb] | None:
         """Return balls with one zero in them, which is near, and simple; None if none is proved.
@@ -94,17 +104,17 @@ class CriticalEquations:
         return image if inside else None
 
     def _residual(self, q: Sequence[acb]) -> acb_mat:
-        values = (acb_mat(self._values) * _column(q, 4)).entries()
+        values = (self._matrices[0] * _column(q, 4)).entries()
         return acb_mat([[x] for x in (*values, sum((x * x for x in q), acb(-1)))])
 
     def _jacobian(self, q: Sequence[acb]) -> acb_mat:
-        entries = (acb_mat(self._slopes) * _column(q, 3)).entries()
+        entries = (self._matrices[1] * _column(q, 3)).entries()
         return acb_mat(4, 4, [*entries, *(2 * x for x in q)])
 
 
-def _torque(form: Form, turn: Sequence[tuple[int, int]]) -> dict[Exponents, int]:
+def _torque(form: Form, turn: Sequence[tuple[int, int]]) -> dict[Exponents, Any]:
     """Return the derivative of a form along q → q + Σ ± q_j e_i."""
-    found: dict[Exponents, int] = {}
+    found: dict[Exponents, Any] = {}
     for slope, (j, sign) in zip(slopes(form), turn):
         for e, c in slope.items():
             place = moved(e, j, 1)

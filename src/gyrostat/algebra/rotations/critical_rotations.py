@@ -1,19 +1,21 @@
 """All real critical points of a quartic form off N = 0, in balls: proved simple, and proved to be all."""
 from collections.abc import Sequence
 from itertools import combinations
+from typing import Any
 
 from flint import acb, arb, ctx
-from sympy import Expr, S
+from sympy import Expr, Integer, S
 
 from ..._cached import cached_property
 from ...errors import ScopeError
+from ..enclosures.balls import Enclosed
 from ..enclosures.precision import doubled, own_precision
 from ..solving.real_fields import BITS, FieldNumbers, RealNumbers
 from ..solving.root_numbers import DIFFERENT
 from .bounds import LINES, Bound, bounded
 from .boxes import CriticalEquations, approximated
-from .exact_rotations import exact_points
-from .quartic_forms import Form
+from .exact_rotations import ExactRotations
+from .quartic_forms import QuarticForm
 
 START = 64                                             # bits of the first approximations
 GUARD = 32                                             # bits
@@ -27,11 +29,11 @@ class RotationZeros(RealNumbers):
 
     Parameters
     ----------
-    form : mapping of exponents to int
+    form : QuarticForm
     bound : Bound
     """
 
-    def __init__(self, form: Form, bound: Bound):
+    def __init__(self, form: QuarticForm, bound: Bound):
         self._form, self._bound, self._equations = form, bound, CriticalEquations(form)
         self._values: dict[int, list[list[arb]]] = {}
 
@@ -40,7 +42,7 @@ class RotationZeros(RealNumbers):
         """Balls of q with one real zero each; None if not all zeros are proved to be simple."""
         for bits in doubled(START, 4 * START):
             with own_precision(bits):
-                several = approximated(self._bound)
+                several = approximated(self._form, self._bound)
             with own_precision(2 * bits):
                 if (found := self._proved(several)) is not None:
                     return found
@@ -70,6 +72,9 @@ class RotationZeros(RealNumbers):
         above, below = (sum((c * x for c, x in zip(line, q)), acb(0)) for line in self._bound.lines)
         return above / below
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        return RotationZeros, (self._form, self._bound)    # python-flint's balls are not pickled
+
     def values(self, precision: int = BITS) -> list[list[arb]]:
         """Return enclosures of n and r at each real zero."""
         if precision not in self._values:
@@ -84,16 +89,25 @@ class RotationZeros(RealNumbers):
         return found if found is not None and inside else box
 
     @cached_property
+    def _algebra(self) -> ExactRotations | None:
+        return None if self._form.parts else ExactRotations(self._form.whole, self._bound)
+
+    @property
     def exact(self) -> list[FieldNumbers] | None:
         """The same points in number fields; None if not all of them are proved to be found."""
-        return exact_points(self._form, self._bound)
+        return None if self._algebra is None else self._algebra.points
 
     def expression(self, root: int, place: int) -> Expr:
-        """Return one of the numbers of a point as an expression."""
+        """Return one of the numbers of a point as an expression; with an irrational factor it is enclosed."""
+        if self._algebra is None:
+            return EnclosedCoordinate(self, root, place)
         return self._same(root)[place]
 
     def is_fraction(self, root: int, place: int) -> bool:
-        """Tell whether one of the numbers of a point is a fraction."""
+        """Tell whether one of the numbers of a point is a fraction; none is if there is a factor."""
+        if self._algebra is None or self._algebra.conjugate and self.varies(
+                place, range(len(self.isolated or ()))):
+            return False
         return self._same(root).is_fraction(place)
 
     def _same(self, root: int) -> FieldNumbers:
@@ -114,13 +128,35 @@ def _directions(q: Sequence[acb]) -> list[arb]:
             2 * (b * d - a * c), 2 * (c * d + a * b), a * a - b * b - c * c + d * d]
 
 
-def critical_rotations(form: Form) -> list[FieldNumbers] | None:
+class EnclosedCoordinate(Enclosed):
+    """One of the numbers of a critical point, without an algebraic form; it prints as a decimal."""
+
+    zeros: RotationZeros
+
+    def __new__(cls, zeros: RotationZeros, root: int, place: int) -> "EnclosedCoordinate":
+        number: EnclosedCoordinate = Expr.__new__(cls, Integer(id(zeros)), Integer(root), Integer(place))
+        number.zeros = zeros
+        return number
+
+    def enclosed(self, precision: int) -> arb:
+        """Return an enclosure."""
+        return self.zeros.values(precision)[int(self.args[1])][int(self.args[2])]
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return EnclosedCoordinate, (self.zeros, int(self.args[1]), int(self.args[2]))
+
+    def _sympystr(self, _: Any) -> str:
+        return str(self.evalf(17))
+
+    _latex = _sympyrepr = _sympystr
+
+
+def critical_rotations(form: QuarticForm) -> list[FieldNumbers] | None:
     """Return n and r at every real critical point of a quartic form off N = 0, six numbers for each.
 
     Parameters
     ----------
-    form : mapping of exponents to int
-        of degree 4 in the quaternion, as quartic returns it
+    form : QuarticForm
 
     Returns
     -------
@@ -129,10 +165,10 @@ def critical_rotations(form: Form) -> list[FieldNumbers] | None:
 
     Examples
     --------
-    >>> from .quartic_forms import quartic
+    >>> from .quartic_forms import QuarticForm, quartic
     >>> gravity = {(0, 0, 0, 2, 0, 0): 3, (0, 0, 0, 0, 2, 0): 6, (0, 0, 0, 0, 0, 2): 12,
     ...            (2, 0, 0, 0, 0, 0): -1, (0, 2, 0, 0, 0, 0): -2, (0, 0, 2, 0, 0, 0): -4}
-    >>> len(critical_rotations(quartic(gravity)))
+    >>> len(critical_rotations(QuarticForm(quartic(gravity))))
     24
     """
     for lines in LINES:                                    # the first, unless they happen to meet the points

@@ -6,17 +6,18 @@ from math import isqrt
 from flint import fmpq, fmpq_mat, fmpq_mpoly, fmpq_poly, fmpz, fmpz_mat, nmod_mat
 from sympy import S
 
+from ..._cached import cached_property
 from ..solving.real_fields import Conjugates, FieldNumbers
 from .bounds import DEGREE, PRIMES, Bound, times_line, times_norm
-from .quartic_forms import FRAME, NORM, Exponents, Form, minors
+from .quartic_forms import FRAME, NORM, Exponents, Form, minors, multiples
 
 COORDINATES = (1, 0, 0, 0), (0, 1, 0, 0), (0, 0, 1, 0), (0, 0, 0, 1)
 FIRST = 2**62                                          # primes are taken below it
 MOST = 1024                                            # of them
 
 
-def exact_points(form: Form, bound: Bound) -> list[FieldNumbers] | None:
-    """Return n and r at every real critical point off N = 0, in number fields; None if some may lack.
+class ExactRotations:
+    """The critical points of a quartic form over ℚ in number fields, multiple ones too.
 
     The matrices M_i have x_i/ℓ at the points as eigenvalues, and u has another ratio. At the roots of its
     characteristic polynomial the x_i are as the g_i, which follow from the traces of M_i uʲ (Rouillier); each
@@ -24,51 +25,70 @@ def exact_points(form: Form, bound: Bound) -> list[FieldNumbers] | None:
     characteristic polynomial of M_i without repeated factors: these leave a dimension, and there are no more
     points.
 
+    Parameters
+    ----------
+    form : mapping of exponents to int
+    bound : Bound
+
     References
     ----------
     Rouillier, Appl. Algebra Eng. Comm. Comput. 9 (1999) 433-461; Seidenberg, Trans. AMS 197 (1974) 273-313,
     lemma 92.
     """
-    *single, u = matrices_of(bound)
-    separating = _bare(u.charpoly())
-    most = bound.most
-    if separating.degree() < most:
-        most -= _rank_of_values([_bare(m.charpoly()) for m in single], single, PRIMES[0])
-    if separating.degree() != most:
-        return None
-    represented = _represented(single, u, separating)
-    if represented is None:
-        return None
-    found: list[FieldNumbers] = []
-    for factor, _ in separating.factor()[1]:
-        place = [top % factor for top in represented]
-        if any(_value(f, place, factor) for f in minors(form)):
+
+    def __init__(self, form: Form, bound: Bound):
+        self._form, self._bound = form, bound
+
+    @cached_property
+    def matrices(self) -> list[fmpq_mat]:
+        """Those of the ratios of coordinates, and of a form, to another form: M_0, …, M_3, u."""
+        free, matrix = self._bound.free, multiples(minors(self._form), DEGREE, 4)
+        square = fmpz_mat([[matrix[n][column] for column in self._bound.solved] for n in self._bound.rows])
+        known = fmpz_mat([[-matrix[n][column] for column in free] for n in self._bound.rows])
+        functionals = [[fmpq(0)] * len(free) for _ in matrix[0]]
+        for column, row in zip(self._bound.solved, square.solve(known).tolist()):
+            functionals[column] = row
+        for n, column in enumerate(free):
+            functionals[column] = [fmpq(n == m) for m in range(len(free))]
+        degree = DEGREE
+        if self._bound.beyond:
+            functionals, degree = times_norm(functionals, degree), degree - 2
+        *several, below = (fmpq_mat(times_line(functionals, degree, line, self._bound.lower))
+                           for line in (*COORDINATES, *self._bound.lines))
+        return [below.solve(above) for above in several]
+
+    @cached_property
+    def separating(self) -> fmpq_poly:
+        """The characteristic polynomial of u without repeated factors, monic."""
+        return _bare(self.matrices[4].charpoly())
+
+    @cached_property
+    def conjugate(self) -> bool:
+        """Whether all points are proved to be conjugate: an equation of full degree is irreducible."""
+        several = self.separating.factor()[1]
+        return len(several) == 1 and several[0][0].degree() == self._bound.most
+
+    @cached_property
+    def points(self) -> list[FieldNumbers] | None:
+        """n and r at every real point off N = 0; None if some may lack."""
+        *single, u = self.matrices
+        most = self._bound.most
+        if self.separating.degree() < most:
+            most -= _rank_of_values([_bare(m.charpoly()) for m in single], single, PRIMES[0])
+        if self.separating.degree() != most or (tops := _represented(single, u, self.separating)) is None:
             return None
-        square = _value(_terms(NORM), place, factor)
-        if square:
-            entries = [_value(_terms(x), place, factor) for x in (*FRAME[1], *FRAME[2])]
-            conjugates = Conjugates(factor, entries, square)
-            found += [FieldNumbers(conjugates, n, [(i, S.One) for i in range(6)])
-                      for n in range(len(conjugates.roots()))]
-    return found
-
-
-def matrices_of(bound: Bound) -> list[fmpq_mat]:
-    """Return the matrices whose eigenvalues are the ratios of coordinates, and of a form, to another form."""
-    matrix, free = bound.matrix, bound.free
-    square = fmpz_mat([[matrix[n][column] for column in bound.solved] for n in bound.rows])
-    known = fmpz_mat([[-matrix[n][column] for column in free] for n in bound.rows])
-    functionals = [[fmpq(0)] * len(free) for _ in matrix[0]]
-    for column, row in zip(bound.solved, square.solve(known).tolist()):
-        functionals[column] = row
-    for n, column in enumerate(free):
-        functionals[column] = [fmpq(n == m) for m in range(len(free))]
-    degree = DEGREE
-    if bound.beyond:
-        functionals, degree = times_norm(functionals, degree), degree - 2
-    *several, below = (fmpq_mat(times_line(functionals, degree, line, bound.lower))
-                       for line in (*COORDINATES, *bound.lines))
-    return [below.solve(above) for above in several]
+        found: list[FieldNumbers] = []
+        for factor, _ in self.separating.factor()[1]:
+            place = [top % factor for top in tops]
+            if any(_value(f, place, factor) for f in minors(self._form)):
+                return None
+            square = _value(_terms(NORM), place, factor)
+            if square:
+                entries = [_value(_terms(x), place, factor) for x in (*FRAME[1], *FRAME[2])]
+                conjugates = Conjugates(factor, entries, square)
+                found += [FieldNumbers(conjugates, n, [(i, S.One) for i in range(6)])
+                          for n in range(len(conjugates.roots()))]
+        return found
 
 
 def _bare(f: fmpq_poly) -> fmpq_poly:

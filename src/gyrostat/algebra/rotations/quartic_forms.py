@@ -6,8 +6,14 @@ does not.
 """
 from collections.abc import Mapping, Sequence
 from functools import lru_cache
+from math import isqrt
+from typing import Any, NamedTuple
 
-from flint import Ordering, fmpq_mpoly_ctx, fmpz_mat, nmod_poly
+from flint import Ordering, ctx, fmpq_mpoly_ctx, fmpz, fmpz_mat, nmod_poly
+from sympy import Expr, Rational, pi
+
+from ..enclosures.algebraic import coprime
+from ..enclosures.balls import ball
 
 CONTEXT = fmpq_mpoly_ctx.get(("a", "b", "c", "d"), Ordering.lex)
 A, B, C, D = GENERATORS = CONTEXT.gens()
@@ -18,7 +24,69 @@ FRAME = ((A * A + B * B - C * C - D * D, 2 * (B * C - A * D), 2 * (B * D + A * C
          (2 * (B * D - A * C), 2 * (C * D + A * B), A * A - B * B - C * C + D * D))
 TRACELESS = (((0, 0, 1), (1, 1, -1)), ((1, 1, 1), (2, 2, -1)), ((0, 1, 1),), ((1, 2, 1),), ((0, 2, 1),))
 Exponents = tuple[int, int, int, int]
-Form = Mapping[Exponents, int]
+Form = Mapping[Exponents, Any]
+RESIDUE = 1234567891234567891                          # of a transcendental factor
+
+
+class QuarticForm(NamedTuple):
+    """A quartic form over ℚ, and others times irrational factors, as l/ω0 of wheels in rpm has.
+
+    Parameters
+    ----------
+    whole : mapping of exponents to int
+    parts : sequence of (Expr, mapping)
+        factors, each the square root of a rational number, or that times π, and forms
+    """
+
+    whole: Form
+    parts: Sequence[tuple[Expr, Form]] = ()
+
+    def modulo(self, p: int) -> Form | None:
+        """Return the form modulo a prime; None if a root has no residue there.
+
+        π stands for any number, since it is transcendental, and √n for the product of the roots of its
+        factors in a base of coprime numbers: between these there are no other relations.
+        """
+        squares = [_square(factor) for factor, _ in self.parts]
+        base = coprime({n for n, _, _ in squares})
+        roots = {b: root for b in base if (root := _root(b, p)) is not None}
+        if len(roots) < len(base):
+            return None
+        found = self.whole
+        for (n, bottom, turns), (_, form) in zip(squares, self.parts):
+            residue = pow(bottom, -1, p) * (RESIDUE if turns else 1)
+            for b, root in roots.items():
+                while n % b == 0:
+                    n, residue = n // b, residue * root % p
+            found = {e: (c + residue * form[e]) % p for e, c in found.items()}
+        return found
+
+    def enclosed(self) -> Form:
+        """Return the form with balls at the precision that is set."""
+        found = self.whole
+        for factor, form in self.parts:
+            value = ball(factor, ctx.prec)
+            found = {e: c + value * form[e] for e, c in found.items()}
+        return found
+
+
+def is_admitted(factor: Expr) -> bool:
+    """Tell whether a number is the square root of a rational number, or that times π."""
+    return isinstance(factor**2, Rational) or isinstance((factor / pi) ** 2, Rational)
+
+
+def _square(factor: Expr) -> tuple[int, int, bool]:
+    """Return n, b and whether π is there: a factor is √n/b, or that times π, but for its sign."""
+    turns = not isinstance(factor**2, Rational)
+    square = (factor / pi) ** 2 if turns else factor**2
+    return int(square.p * square.q), int(square.q), turns
+
+
+def _root(n: int, p: int) -> int | None:
+    """Return the root of a number, or one modulo a prime; None if there is none."""
+    if isqrt(n) ** 2 == n:
+        return isqrt(n)
+    return int(fmpz(n % p).sqrtmod(p)) if fmpz(n % p).jacobi(p) == 1 else None
 
 
 @lru_cache(maxsize=16)
@@ -89,17 +157,16 @@ def multiples(forms: Sequence[Form], degree: int, of: int) -> list[list[int]]:
     return rows
 
 
-def at_infinity(form: Form, primes: Sequence[int]) -> list[int] | None:
+def at_infinity(form: QuarticForm, primes: Sequence[int]) -> list[int] | None:
     """Return the primes modulo which a form vanishes on N = 0 as it does over ℚ; None if that is not known.
 
     There q is u ⊗ v with u, v on conics, and F a form of degree 4 in u and in v. Known are products: of a
     symmetric matrix for u, as the tensor of a body, and one for v. Where the product and its slope vanish is
     told by how many eigenvalues each of the two has.
     """
-    operators, coefficients = _operators(), [[form[e]] for e in monomials(4)]
-    entries = [int(x) for x in (operators * fmpz_mat(coefficients)).entries()]
-    table = fmpz_mat(5, 5, entries)
-    if table.rank() > 1:
+    entries, *others = ([int(x) for x in (_operators() * fmpz_mat([[f[e]] for e in monomials(4)])).entries()]
+                        for f in (form.whole, *(part for _, part in form.parts)))
+    if any(map(any, others)) or fmpz_mat(5, 5, entries).rank() > 1:
         return None
     row = next((n for n in range(5) if any(entries[5 * n:5 * n + 5])), 0)
     column = next((n for n in range(5) if entries[5 * row + n]), 0)

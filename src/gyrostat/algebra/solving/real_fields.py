@@ -122,6 +122,12 @@ class FieldNumbers(Sequence[Expr]):
     def __len__(self) -> int:
         return len(self.places)
 
+    def __eq__(self, other: object) -> bool:
+        return self is other or isinstance(other, Sequence) and tuple(self) == tuple(other)
+
+    def __hash__(self) -> int:
+        return hash(tuple(self))
+
     @overload
     def __getitem__(self, n: int) -> Expr: ...
 

@@ -9,7 +9,6 @@ from ...algebra.reals.exact import evaluate, proved_sign
 from ...algebra.rings.matrices import cross
 from ...algebra.solving.real_fields import FieldNumbers
 from ...algebra.solving.sphere_zeros import zeros_on_sphere
-from ...algebra.text.numbers import shown
 from ...errors import ScopeError, ValuesError
 from ...mechanics.families.circular_orbit import NORMAL, VERTICAL, by_gradient_alone, orbital_rate
 from ...mechanics.scenes.system import System, at_numbers, names_of_scene
@@ -41,7 +40,9 @@ def orbit_forms(scene: System, values: Mapping[str, Any]) -> list[OrbitalForm]:
         return loaded(ANY_FIELD)(here)
     rotor = [evaluate(x / orbital_rate(here), {}) for x in here.body.gyrostatic_momentum]
     if isinstance(here.body.inertia, ImmutableMatrix):
-        direction, scale = _direction(here, rotor)
+        if (found := _direction(here, rotor)) is None:
+            return loaded(ANY_FIELD)(here)
+        direction, scale = found
         turned = here.body.tensor * ImmutableMatrix(direction)
         across = ImmutableMatrix([direction, list(turned), list(here.body.tensor * turned)]).det()
         return list(_tilted(here, direction, scale)) if across else loaded(ANY_FIELD)(here)
@@ -52,21 +53,23 @@ def orbit_forms(scene: System, values: Mapping[str, Any]) -> list[OrbitalForm]:
     if len(along) < 2:
         place = (along or [0])[0]
         return list(along_an_axis(here, place, rotor[place]))
-    direction, scale = _direction(here, rotor)
+    if (found := _direction(here, rotor)) is None:
+        return loaded(ANY_FIELD)(here)
+    direction, scale = found
     return [*_tilted(here, direction, scale), *_principal(here, direction, scale, axis)]
 
 
-def _direction(scene: System, rotor: Sequence[Expr]) -> tuple[list[Expr], Expr]:
-    """Return the rotor over ω0 as a rational vector and a factor, 1 or the root of a rational number."""
+def _direction(scene: System, rotor: Sequence[Expr]) -> tuple[list[Expr], Expr] | None:
+    """Return the rotor over ω0 as a rational vector and a factor, 1 or the root of a rational number.
+
+    None if it is none, or a moment is not rational.
+    """
     scale = next((x for x in rotor if x != 0), S.One)
     if isinstance(scale, Rational):
         scale = S.One
     direction, numbers = [evaluate(x / scale, {}) for x in rotor], scene.body.entries
     if not all(isinstance(x, Rational) for x in (*numbers, *direction, evaluate(scale**2, {}))):
-        raise ScopeError("if the rotor is along no principal axis, all equilibria are found at rational "
-                         "moments and a rational l/omega0 (or one square root times that); here they are "
-                         f"({', '.join(map(shown, numbers))}) and "
-                         f"({', '.join(map(shown, rotor))}): give the moments and l as decimals")
+        return None
     return direction, scale
 
 
