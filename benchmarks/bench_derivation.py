@@ -9,7 +9,6 @@ the printed one: E1 (π3 + l)² > 4 I1 U'(1) and p of E3, Vera & Viguera (2003),
 """
 import argparse
 import json
-import os
 import re
 import statistics
 import subprocess
@@ -17,9 +16,8 @@ import sys
 import time
 from importlib.util import find_spec
 
-from measured import here_and_now, ratios, seconds, spread
+from measured import BYTECODE, here_and_now, ratios, seconds, spread
 
-BYTECODE = {**os.environ, "PYTHONDONTWRITEBYTECODE": ""}     # what is installed has it, as SymPy has
 PACKAGES = ("gyrostat", "sympy", "python-flint", "poissongeometry")
 
 

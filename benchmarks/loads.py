@@ -6,13 +6,14 @@
 Times are CPU times of whole processes over that of `import sympy`, in turn with it, medians of 9.
 """
 import argparse
-import os
 import resource
 import statistics
 import subprocess
 import sys
 import tempfile
 from pathlib import Path
+
+from measured import BYTECODE
 
 import gyrostat
 
@@ -55,7 +56,7 @@ def ours(modules: set[str]) -> set[str]:
 def _run(words: list[str]) -> str:
     with tempfile.TemporaryDirectory() as folder:
         return subprocess.run(words, check=True, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True,
-                              cwd=folder, env={**os.environ, "PYTHONPATH": str(SOURCE)}).stderr
+                              cwd=folder, env={**BYTECODE, "PYTHONPATH": str(SOURCE)}).stderr
 
 
 def seconds(words: list[str]) -> float:

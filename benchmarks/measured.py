@@ -12,6 +12,8 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
 BLOCK = 0.02                                               # seconds that are timed at least at a time
+# of a process: what is installed has its bytecode, as SymPy has
+BYTECODE = {**os.environ, "PYTHONDONTWRITEBYTECODE": ""}
 
 
 def cpu() -> float:
@@ -58,6 +60,18 @@ def here_and_now(*packages: str) -> str:
     versions = [f"Python {platform.python_version()}", *map(_installed, packages)]
     return (f"{date.today()}, commit {_commit()}, {platform.machine()} ({os.cpu_count()} cores), "
             f"{', '.join(versions)}")
+
+
+def processor(file: Path = Path("/proc/cpuinfo")) -> str:
+    """The processor's model by its name and numbers, since virtual machines call many models "AMD EPYC"."""
+    told = {}
+    if file.exists():
+        for line in file.read_text(encoding="utf-8").splitlines():
+            name, _, value = line.partition(":")
+            told.setdefault(name.strip(), value.strip())
+    if "model name" not in told:
+        return platform.processor() or platform.machine()
+    return f"{told['model name']}, family {told.get('cpu family', '?')}, model {told.get('model', '?')}"
 
 
 def _installed(package: str) -> str:

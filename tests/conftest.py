@@ -1,4 +1,5 @@
 """Scenes and reports that many tests read; derived once."""
+import gc
 import os
 
 import pytest
@@ -10,6 +11,9 @@ import gyrostat as gs
 settings.register_profile("thorough", deadline=None, derandomize=True, max_examples=200)
 settings.register_profile("exact", deadline=None, derandomize=True, max_examples=25)
 settings.load_profile("exact")
+
+# modules, tests and reports are kept to the end: a search among them for what can be freed is made rarely
+gc.set_threshold(50_000, 20, 20)
 
 os.environ.pop("COLUMNS", None)                       # what is captured has the width of a pipe, in any shell
 
@@ -33,6 +37,11 @@ def pytest_collection_modifyitems(items):
         for n, item in enumerate(group):
             if n not in default:
                 item.add_marker(pytest.mark.slow)
+
+
+def pytest_collection_finish():
+    """What is there when the first test begins is there when the last one ends."""
+    gc.freeze()
 
 
 @pytest.fixture(scope="session")

@@ -199,6 +199,8 @@ CASES = {
     "on a closed curve": Case({}, {"orbit": "1", "inertia": ["3/2", "9/10", "6/5"], "gyrostatic_momentum": [
         "0", "6/(5*sqrt(2))", "0"], "point": ["0", "9*sqrt(2)/20", "-3*sqrt(2)/5", "0", "sqrt(2)/2",
                                               "-sqrt(2)/2", "0", "sqrt(2)/2", "sqrt(2)/2"]}, level={}),
+    "in orbit, with drag": Case({}, {"orbit": "1", "inertia": ["1", "5/4", "8/5"], "potential": "4/5*t1",
+                                     "point": ["0", "0", "8/5", *"001010"]}, level={}),
     "in orbit, held by a rotor": Case({"d": "1/10", "l": "1/5", "omega0": "1"}, make=_held),
     "cylindrical": Case({"I1": "1", "I3": "8/5", "l": "1", "omega0": "1"}, PRECESSES | {
         "equilibrium": "cylindrical"}, level={}),

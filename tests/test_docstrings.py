@@ -4,6 +4,7 @@ import re
 from pathlib import Path
 
 import pytest
+from test_layout import parsed, statements
 
 SOURCE = Path(__file__).parents[1] / "src" / "gyrostat"
 # a capital, other than that of a sum, that begins a paragraph below the first, and what comes after it
@@ -28,8 +29,8 @@ def test_a_symbol_keeps_its_case_where_a_sentence_begins(package):
     """ω and Ω, k and K, h and H are different things."""
     folder = SOURCE / package
     for path in folder.rglob("*.py") if folder.is_dir() else [folder]:
-        tree = ast.parse(path.read_text(encoding="utf-8"))
-        for node in ast.walk(tree):
+        tree = parsed(path)
+        for node in (tree, *(statement for statement, _ in statements(tree.body))):
             if isinstance(node, ast.Module | ast.ClassDef | ast.FunctionDef):
                 wrong = list(misspelt(ast.get_docstring(node) or ""))
                 assert not wrong, (path.name, getattr(node, "name", ""))

@@ -26,17 +26,26 @@ def parsed(path):
     return ast.parse(path.read_text(encoding="utf-8"))
 
 
+def statements(block, inside=False):
+    """(statement, whether it stands inside a function) of a block and of the blocks in it.
+
+    What an expression holds is no statement.
+    """
+    for one in block:
+        yield one, inside
+        within = inside or isinstance(one, ast.FunctionDef)
+        for name in ("body", "orelse", "finalbody", "handlers", "cases"):
+            yield from statements(getattr(one, name, ()), within)
+
+
 @cache
 def imports(path):
     """(module, inside a function) of every import of ours or of others in a file.
 
     Ours as paths below the package.
     """
-    tree, here = parsed(path), path.relative_to(SRC).with_suffix("").parts
-    inside = {inner for node in ast.walk(tree) if isinstance(node, ast.FunctionDef)
-              for inner in ast.walk(node)}
-    found = []
-    for node in ast.walk(tree):
+    here, found = path.relative_to(SRC).with_suffix("").parts, []
+    for node, inside in statements(parsed(path).body):
         if isinstance(node, ast.ImportFrom) and node.level:
             module = (*here[:len(here) - node.level], *(node.module or "").split("."))
             for alias in node.names:
@@ -46,12 +55,12 @@ def imports(path):
                     if SRC.joinpath(*inner).with_suffix(".py").exists() or SRC.joinpath(*inner).is_dir()
                     else inner[:-1]
                 )
-                found.append((ours, node in inside))
+                found.append((ours, inside))
         elif isinstance(node, ast.Import | ast.ImportFrom):
             for name in (
                 [node.module] if isinstance(node, ast.ImportFrom) else [alias.name for alias in node.names]
             ):
-                found.append((name, node in inside))
+                found.append((name, inside))
     return found
 
 

@@ -59,26 +59,60 @@ def test_every_benchmark_with_a_section_can_be_run_by_one_command():
     assert names - {"bench_page"} == {command.split()[0] for command in write_results.COMMANDS}
 
 
-def test_a_speed_that_is_lost_twice_is_told(monkeypatch, capsys):
-    """Once may be noise; a row that is not stored, or is no longer measured, is told as well."""
+def guard_of(monkeypatch, row, processor=None):
+    """The guard of one row, beside ratios that were stored on a processor, this one by default."""
     import guard
-    row = guard.Row("a list", "a script", lambda: None, lambda: None)
+    text = f"2030-01-01, commit abcdef0\n\nProcessor: {processor or guard.measured.processor()}.\n\n"
+    monkeypatch.setattr(guard.sections, "stored", lambda name: text)
     monkeypatch.setattr(guard, "rows", lambda: iter([row]))
+    return guard
+
+
+def test_a_speed_that_is_lost_twice_fails(monkeypatch, capsys):
+    """Once may be noise; a row that is not stored, or is no longer measured, fails as well."""
+    from flagship_rows import Row
+    guard = guard_of(monkeypatch, Row("a list", "a script", lambda: None, lambda: None))
     for stored, measured, count in (
             ({("a list", "a script"): 1.0}, [1.29], 0), ({("a list", "a script"): 1.0}, [1.4, 1.2], 0),
             ({("a list", "a script"): 1.0}, [1.4, 1.31], 1), ({}, [], 1),
             ({("a list", "a script"): 1.0, ("gone", "a script"): 1.0}, [1.0], 1)):
         left = iter(measured)
         monkeypatch.setattr(guard, "stored", lambda stored=stored: dict(stored))
-        monkeypatch.setattr(guard, "measure", lambda row, left=left: [next(left)])
+        monkeypatch.setattr(guard, "watched", lambda row, left=left: (next(left), 0.6))
         assert guard.compare() == count
         assert list(left) == []
     assert "gone / a script: stored, and not measured" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(("noisy", "share", "processor", "why"), [
+    ("a picture waits for memory", 1.0, None, "a picture waits for memory"),
+    ("", 0.4, None, "this process had 40% of a core"),
+    ("", 1.0, "Abacus, family 1, model 2", "are of another processor (Abacus, family 1, model 2)")])
+def test_a_loss_that_may_be_noise_is_told_with_its_reason(monkeypatch, capsys, noisy, share, processor, why):
+    """On another processor, beside too many processes, or of a row that says why."""
+    from flagship_rows import Row
+    guard = guard_of(monkeypatch, Row("a list", "a script", str, str, noisy=noisy), processor)
+    monkeypatch.setattr(guard, "stored", lambda: {("a list", "a script"): 1.0})
+    monkeypatch.setattr(guard, "watched", lambda row: (2.0, share))
+    assert guard.compare() == 0
+    said = capsys.readouterr().out
+    assert "lost twice, which is not counted: " in said and why in said
+
+
+def test_a_processor_has_a_name_and_numbers(tmp_path):
+    """Two models that a virtual machine calls alike are two."""
+    import measured
+    file = tmp_path / "cpuinfo"
+    file.write_text("processor\t: 0\ncpu family\t: 25\nmodel\t\t: 1\nmodel name\t: AMD EPYC\n\n"
+                    "processor\t: 1\ncpu family\t: 25\nmodel\t\t: 17\n")
+    assert measured.processor(file) == "AMD EPYC, family 25, model 1"
+    assert measured.processor(tmp_path / "none")
 
 
 def test_the_stored_ratios_are_read():
     """Each of the table."""
     import guard
     import sections
-    rows = sections.stored("guard").strip().splitlines()[4:]
+    rows = sections.stored("guard").strip().splitlines()[6:]
+    assert guard.PROCESSOR.search(sections.stored("guard"))
     assert len(guard.stored()) == len(rows) > 20 and all(ratio > 0 for ratio in guard.stored().values())

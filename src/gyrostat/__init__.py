@@ -19,6 +19,7 @@ from .version import __version__
 
 if TYPE_CHECKING:
     from . import charts, derivation, mechanics, plotting, published, questions, trajectories
+    from .equilibria.attitude_in_orbit import Attitude
     from .equilibria.continuation.continuation import continuation
     from .equilibria.continuation.mark import Mark
     from .equilibria.continuation.meeting_equations import Bifurcation, bifurcations
@@ -29,6 +30,7 @@ if TYPE_CHECKING:
     from .equilibria.curves.staude import StaudeCone, staude_cone
     from .equilibria.relative_equilibrium import RelativeEquilibrium
     from .equilibria.search import relative_equilibria
+    from .equilibria.table_rows import table
     from .mechanics.equilibrium.claimed_point import equilibrium
     from .mechanics.equilibrium.equilibrium import Equilibrium
     from .mechanics.equilibrium.parallel_directions import parallel_directions
@@ -70,7 +72,8 @@ _Shown.formula = lambda shown: import_module("gyrostat.printing.formats.latex").
 _Shown.plain = lambda shown: import_module("gyrostat.printing.formats.text").plain(shown)
 
 __all__ = [
-    "__version__", "amended_potential", "AmendedPotential", "analyze", "Arc", "assemble", "axial_potential",
+    "__version__", "amended_potential", "AmendedPotential", "analyze", "Arc", "assemble", "Attitude",
+    "axial_potential",
     "Bifurcation", "bifurcation_points", "bifurcations", "Case", "charts",
     "circular_orbit", "Condition", "Continuation", "continuation", "coupled_potential",
     "CoupledPotential", "Criterion", "CriticalPoint", "Decision", "derivation", "earth_pointing",
@@ -82,8 +85,8 @@ __all__ = [
     "relative_equilibria", "RelativeEquilibrium", "release", "Report", "Rotor",
     "Rung", "Solution", "solve_condition", "SolvedCondition", "Spectrum", "spectrum", "stabilizing_set",
     "static_tilt", "staude_cone", "StaudeCone", "steady_motion", "stereographic", "symbol",
-    "symmetric_gyrostat", "System", "to_latex", "trajectories", "underwater_vehicle", "uniform_field",
-    "upright", "Verdict", "Window",
+    "symmetric_gyrostat", "System", "table", "to_latex", "trajectories", "underwater_vehicle",
+    "uniform_field", "upright", "Verdict", "Window",
 ]
 
 __getattr__, __dir__ = _later(__name__, {
@@ -117,7 +120,9 @@ __getattr__, __dir__ = _later(__name__, {
     "stability.normal_forms.normal_form": "NormalForm",
     "stability.report.analysis": "analyze",
     "stability.report.report": "Report",
+    "equilibria.attitude_in_orbit": "Attitude",
     "equilibria.search": "relative_equilibria",
+    "equilibria.table_rows": "table",
     "equilibria.relative_equilibrium": "RelativeEquilibrium",
     "equilibria.continuation.continuation": "continuation",
     "equilibria.continuation.meeting_equations": "Bifurcation bifurcations",

@@ -148,17 +148,17 @@ def _printed() -> Iterator[Entry]:
             ("T", "basis of the tangent space of the orbit", "Y"), ("S", "basis of the slice", "X"),
             ("J*", "linearised field, k·Ik, actions", "L"), ("H", "second variation", "Q X"),
             ("Delta*", "minors of H, square of a frequency", "d"), ("lamda", "eigenvalue", "Lambda"),
-            ("p", "coefficient of λ² in the characteristic polynomial", "P a"),
-            ("q", "its last coefficient", "Q b"), ("t s", "trace and determinant of K", "tau d"),
-            ("K*", "second variation of the amended potential", "Y Gamma"),
+            ("p", "coefficient of λ² in the characteristic polynomial", "P"),
+            ("q", "its last coefficient", "Q"), ("t s", "trace and determinant of K", "tau d"),
+            ("K*", "second variation of the amended potential", "Y Gamma"), ("g_", "components of g", "mu"),
             ("A*", "inertia of the motion near a rotation", "R"), ("v_", "2 ω Ik + l", "w"),
             ("g", "square of I1 dk3/dt, or gyroscopic vector", "f"), ("c_", "coefficients of g", "b"),
             ("x", "deviation of k3, or λ²", "y xi"), ("f_", "factors of the polynomial in λ²", "phi"),
-            ("beta", "coupling in the energy", "b"), ("D*", "defect of the eigenvalue 0, twists", "E d"),
+            ("beta", "coupling in the energy", "eta"), ("D*", "defect of the eigenvalue 0, twists", "E d"),
             ("N P", "numerator and denominator of D4", "Q R"), ("R_", "what stands under roots", "Q"),
             ("e_", "axes of the body", "a"), ("nu", "multiplier of a rotation", "mu"),
             ("V", "effective potential", "W"), ("M_", "components of M in a picture", "Lambda"),
-            ("i", "imaginary unit", "j iota")):
+            ("a b c", "coefficients of the sextic", "u v w"), ("i", "imaginary unit", "j iota")):
         for name in names.split():
             yield Entry(name, name, name, (0, 0), what, use=Use.PRINTED, instead=instead)
 

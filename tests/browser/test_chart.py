@@ -84,7 +84,7 @@ def pixels_agree(report, places, drawn):
 
 
 @pytest.mark.parametrize("name", WITHIN)
-def test_each_function_has_a_bound_of_its_error(page, name):
+def test_each_function_has_a_bound_of_its_error(started, name):
     """Of a difference that loses digits, at numbers that are no doubles, near the ends of its domain too."""
     rng, (low, high) = Random(name), WITHIN[name]
     questions, exact = [], []
@@ -104,7 +104,7 @@ def test_each_function_has_a_bound_of_its_error(page, name):
             value = x**exponent if name == "power" else getattr(mp, name)(x)
             exact.append(value if inside else None)
     known = 0
-    for (value, error), truth in zip(page.evaluate(BOUNDS, questions), exact, strict=True):
+    for (value, error), truth in zip(started.evaluate(BOUNDS, questions), exact, strict=True):
         if not isfinite(bound := float(error.replace("Infinity", "inf"))):
             continue
         known += 1

@@ -12,6 +12,7 @@ from gyrostat.errors import GyrostatError
 from gyrostat.printing.formats.json_data import damped_data, decision_data
 
 FILED = [name for name, case in CASES.items() if case.table is not None]
+SETS = [pytest.param(name, marks=pytest.mark.slow if name.startswith("conical, ") else ()) for name in FILED]
 
 
 @pytest.fixture(params=FILED)
@@ -129,6 +130,7 @@ def _dyadic(text):
         return False
 
 
+@pytest.mark.parametrize("case", SETS, indirect=True)
 def test_sets_say_the_same(case):
     """A value is in the stabilising set where it is stable, in what is left open where it is undecided."""
     report = case.report

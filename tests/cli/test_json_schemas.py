@@ -14,10 +14,10 @@ SCHEMAS = {path.stem: json.loads(path.read_text(encoding="utf-8")) for path in F
 KNOWN = Registry().with_resources((f"{name}.json", Resource.from_contents(schema))
                                   for name, schema in SCHEMAS.items())
 # their keys are names, not those of the document
-MAPS = {"margins", "relations", "values", "definitions", "windows", "certificate"}
+MAPS = {"exact", "margins", "relations", "values", "definitions", "windows", "certificate"}
 OPTIONAL = {"definitions", "windows", "drift", "k1", "k2", "k3", "omega", "sigma",
             "pi1", "pi2", "pi3", "n1", "n2", "n3", "r1", "r2", "r3", "energy_sink", "stiffness", "gyroscopic",
-            "D6"}
+            "D6", "exact"}
 ASKED = [(schema, question) for schema, questions in QUESTIONS.items() for question in questions]
 # a document of each kind
 CHANGED = ["report --potential none", "conditions --potential none", f"conditions {HEAVY} --windows",

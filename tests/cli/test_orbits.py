@@ -77,8 +77,7 @@ def test_the_axes_of_roll_pitch_and_yaw(capsys, axes, moments):
                     "--set", "l=0", "--format", "json", verb="decide")
     (found,) = json.loads(out)["equilibria"]
     assert found["damped_decision"]["growing"] == 2
-    rates = [rate["decimal"] for rate in found["frequencies"]]
-    assert rates == pytest.approx([1 / 2, 4 / 5, (75 / 32)**0.5], rel=1e-15)
+    assert found["frequencies"] == pytest.approx([1 / 2, 4 / 5, (75 / 32)**0.5], rel=1e-15)
 
 
 @pytest.mark.slow
@@ -168,7 +167,7 @@ REFUSED = [
     ("report", ("--orbit", "mu=1,radius=0"), "radius = 0"), ("report", ("--orbit", "mu=1"), "is given alone"),
     ("report", ("--orbit", "rate=1,mu=3,radius=2"), "0.612372435696"),
     ("report", ("--orbit", "speed=2"), "give its rate"), ("report", ("--orbit", ""), "give its rate"),
-    ("report", ("--orbit", "mu=1,altitude=2"), "that of the Earth and the height"),
+    ("report", ("--orbit", "mu=1,altitude=2"), "height=500 km"),
     ("decide", ("--orbit", "1", "--inertia", "41,1,1;1,58,0;1,0,25", "--gyrostatic-momentum", "0,1,0",
                 "--equilibrium", "earth-pointing"), "t·Ir = 1, l·t + ω0 t·In = 1, and each must be 0"),
     ("report", (*BODY, "--equilibrium", "conical"), "moments I1, I1, I3 and rotor 0, 0, l"),
@@ -199,7 +198,7 @@ def test_refusals(capsys, verb, arguments, why):
 @pytest.mark.parametrize(("kind", "more"), [
     ("momentum-sphere", ("--momentum", "1")), ("rotor-set", ("--momentum", "1")), ("staude-cone", ()),
     ("effective-potential", ()), ("energy-momentum", ()), ("amended-potential", ()), ("staude-plane", ()),
-    ("bifurcations", ("--x", "l=0:1"))])
+    ("bifurcations", ("--x", "l=0:1 N m s"))])
 def test_pictures_of_other_scenes(capsys, file, tmp_path, kind, more):
     """Each says what it is of."""
     status, _, err = run(capsys, kind, "--scene", f"{file}#leo", *more, "--output", str(tmp_path / "x.png"),

@@ -40,7 +40,8 @@ def test_on_the_momentum_sphere():
     nearest(numbers, [floats(e.momentum) for e in found], 2.0)
 
 
-@pytest.mark.parametrize("level", [4, "5/2"])
+@pytest.mark.few(1)
+@pytest.mark.parametrize("level", ["5/2", 4])
 def test_on_the_amended_potential(level):
     """k of each rotation on the level of C1."""
     scene = gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 1)), SUM)
@@ -49,6 +50,7 @@ def test_on_the_amended_potential(level):
             [floats(e.directions[0]) for e in found])
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("rotor", [(0, 0, 0), ("3/10", "1/5", "1/10")])
 def test_of_attitudes(rotor):
     """The end of the line from r along n."""

@@ -95,17 +95,20 @@ def parser() -> argparse.ArgumentParser:
                         help="print whole formulas, the hypotheses of each statement, and by which route a "
                         "confirmed one was derived and compared; with --format latex: add a table of what "
                         "is confirmed")
-    decide.add_argument("--full", action="store_true",
-                        help="print below the table of several equilibria the details of each: exact "
-                        "numbers, frequencies, margins and reasons")
-    decide.add_argument("--format", choices=("text", "json"), help="default: text; for a batch: json")
+    decide.add_argument("--full", action="store_true", help="print below the table of several equilibria "
+                        "the details of each: exact numbers, frequencies, margins and reasons")
+    decide.add_argument("--format", choices=("text", "csv", "latex", "json"),
+                        help="default: by the suffix of --output: .csv, .tex, .json; else text; batch: json")
+    decide.add_argument("--exact", action="store_true",
+                        help="with --format json: add exact numbers, by minimal polynomial and interval")
     for verb in (report, conditions, verify):
         verb.add_argument("--format", choices=("text", "latex", "json"), default="text",
                           help="default: text")
-        verb.add_argument("--fragment", action="store_true",
-                          help="with --format latex: leave out the preamble, for \\input")
         verb.add_argument("--symbols", nargs="+", action="extend", default=[], metavar="NAME=LATEX",
                           help="with --format latex: write the symbols of a paper, I1=A I3=C 'l=\\sigma'")
+    for verb in (report, conditions, decide, verify):
+        verb.add_argument("--fragment", action="store_true",
+                          help="with --format latex: leave out the preamble, for \\input")
         verb.add_argument("--label", metavar="PREFIX",
                           help="with --format latex: begin every label with PREFIX; default: gyrostat")
     motion.add_argument("--precision", type=int, metavar="DIGITS",

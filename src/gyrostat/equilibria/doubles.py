@@ -6,14 +6,12 @@ from fractions import Fraction
 from typing import overload
 
 from flint import arb
-from sympy import Expr, Float
+from sympy import Expr, Float, Rational, log
 
 from ..algebra.enclosures.balls import FARTHEST, ball, ends, fraction_of
 from ..algebra.enclosures.precision import doubled, own_precision
-from ..algebra.rings.matrices import cross
 from ..algebra.solving.real_fields import FieldNumbers
 from ..stability.form import PRECISION, Form
-from .finders.orbital_form import balls
 
 
 @overload
@@ -34,19 +32,24 @@ def nearest(numbers: Sequence[Expr | None]) -> tuple[float | None, ...]:
     (1.4142135623730951, 0.3333333333333333, None)
     """
     if isinstance(numbers, FieldNumbers):
-        return _rounded(numbers.balls)
+        return rounded(numbers.balls)
     return tuple(None if x is None else _nearest(x) for x in numbers)
 
 
 def _nearest(number: Expr) -> float:
     if isinstance(number, Float):
         return float(number)
-    return _rounded(lambda precision: [ball(number, precision)])[0]
+    return rounded(lambda precision: [ball(number, precision)])[0]
+
+
+def _exact(number: Expr) -> Expr:
+    """Take the digits of a Float for exact."""
+    return Rational(number) if isinstance(number, Float) else number
 
 
 @dataclass(frozen=True)
 class Doubles:
-    """Place, attitude and rates of a relative equilibrium, each the double next to the exact number.
+    """Place and rates of a relative equilibrium, each the double next to the exact number.
 
     A number in the field of a root of high degree has an exact form of many thousand characters, which is
     not needed here: enclosures are made narrower until both ends round to one double. If 8192 bits do not
@@ -67,20 +70,6 @@ class Doubles:
         return {name: x for names, numbers in self.form.placed for name, x in zip(names, nearest(numbers))}
 
     @property
-    def attitude(self) -> tuple[tuple[float, ...], ...] | None:
-        """The rotation from body to orbit axes r, t, n, shape (3, 3); None if the attitude turns."""
-        vectors = [vector for name, vector in self.form.described if name in ("n", "r")]
-        if not vectors:
-            return None
-
-        def rows(precision: int) -> list[arb]:
-            n, r = (balls(x, precision) for x in vectors)
-            return [*r, *cross(n, r), *n]
-
-        found = _rounded(rows)
-        return found[:3], found[3:6], found[6:]
-
-    @property
     def rates(self) -> dict[str, float]:
         """The rates of the rotation, by name [1/T]."""
         return {name: nearest([x])[0] for name, x in self.form.rates.items()}
@@ -96,9 +85,21 @@ class Doubles:
         rate = self.form.growth_rate
         return None if rate is None else nearest([rate])[0]
 
+    @property
+    def doubling_time(self) -> float | None:
+        """The time log 2/growth_rate in which a small deviation doubles [T]; None if none grows."""
+        rate = self.form.growth_rate
+        return None if rate is None else nearest([log(2) / _exact(rate)])[0]
 
-def _rounded(enclosed: Callable[[int], Sequence[arb]]) -> tuple[float, ...]:
-    """Round numbers that are enclosed with any number of bits, each once."""
+    @property
+    def frequencies_per_orbit(self) -> tuple[float, ...] | None:
+        """The frequencies over omega0: how often a satellite librates in one orbit; None if it is in none."""
+        rate = self.form.rates.get("omega0")
+        return None if rate is None else nearest([_exact(x) / rate for x in self.form.frequencies])
+
+
+def rounded(enclosed: Callable[[int], Sequence[arb]]) -> tuple[float, ...]:
+    """Return the double next to each number; they are enclosed together with any number of bits."""
     for precision in doubled(PRECISION, FARTHEST):
         with own_precision(precision):
             found = enclosed(precision)

@@ -2,13 +2,12 @@
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
-from sympy import Expr, ImmutableMatrix
+from sympy import Expr
 
 from .._cached import cached_property
 from .._display import Shown
 from .._lazy import loaded
 from ..algebra.reals.exact import evaluate
-from ..algebra.rings.matrices import cross
 from ..mechanics.equilibrium.equilibrium import Equilibrium
 from ..mechanics.scenes.system import System
 from ..notation import Stored
@@ -19,6 +18,7 @@ from ..stability.form import Form
 from ..stability.report.report import Report
 
 if TYPE_CHECKING:
+    from .attitude_in_orbit import Attitude
     from .doubles import Doubles
 
 
@@ -86,19 +86,17 @@ class RelativeEquilibrium(Shown, Stored):
         return self.form.directions
 
     @cached_property
-    def attitude(self) -> ImmutableMatrix | None:
-        """The rotation from body to orbit axes r, t, n, shape (3, 3); None if the attitude turns."""
-        if len(self.directions) < 2:
-            return None
-        n, r = self.directions
-        return ImmutableMatrix([r, [evaluate(x, {}) for x in cross(n, r)], n])
+    def attitude(self) -> "Attitude | None":
+        """The attitude of a satellite against t, n, r: roll, pitch, yaw, quaternion, rotation; else None."""
+        vectors = [vector for name, vector in self.form.described if name in ("n", "r")]
+        return loaded("equilibria.attitude_in_orbit:attitude_of")(*vectors) if vectors else None
 
     @property
     def doubles(self) -> "Doubles":
-        """Place, attitude, rates, frequencies and growth rate as the doubles next to the exact numbers.
+        """Place, rates, frequencies and growth rate as the doubles next to the exact numbers.
 
-        They come from enclosures. To turn `place` or `attitude` of a satellite with a rotor into doubles one
-        by one takes a hundred times as long, as each is written out first.
+        They come from enclosures. To turn `place` of a satellite with a rotor into doubles one by one takes a
+        hundred times as long, as each is written out first.
         """
         return loaded("equilibria.doubles:Doubles")(self.form)
 

@@ -39,10 +39,12 @@ def relative_equilibria(scene: System, values: Mapping[str, Any]) -> list[Relati
     For a free body or gyrostat, give numbers for the moments and the rotor, and M, the length of M = π + l:
     every permanent rotation on that momentum sphere is found.
 
-    For a satellite in a circular orbit, give numbers for the moments, the rotor and omega0, if they are
+    For a satellite in a circular orbit, give numbers for the tensor, the rotor and omega0, if they are
     names: every attitude in which it rests in the frame of the orbit is found, 8 to 24 if its moments are
     different, or a closed curve of them; for a body of revolution with the rotor along its axis a point of
-    each circle of them.
+    each circle of them. In another potential beside the gravity gradient, of degree 2 in n, r and n × r as of
+    drag, a magnet or an asteroid, or with a free rotor, there are at most 40, those of least energy first;
+    if they are not isolated, the scene is refused.
 
     Parameters
     ----------

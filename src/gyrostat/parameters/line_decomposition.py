@@ -31,7 +31,7 @@ def cut(report: Report, x: Symbol, numbers: Point, low: Expr | None, high: Expr 
                   for c in a]
     margins, determinant = [e for c in conditions for e in (c.margin, *c.degenerate)], report.determinant[0]
     if report.closed:                                      # what the names stand for
-        margins, determinant = report.closed.margins, report.closed.invariants.determinant
+        margins, determinant = report.closed.margins, report.closed.determinant
     expressions = [*margins, *report.equilibrium.existence(), *also]
     placed = [e.xreplace(numbers) for e in expressions]
     everywhere = not report.sufficient.alternatives or any(map(is_identically_zero, placed))

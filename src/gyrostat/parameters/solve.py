@@ -70,7 +70,7 @@ def solve_condition(condition: Condition, name: str, boundary: Ends | None = Non
         -oo () -2*sqrt(I1)*sqrt(m0) - pi3_0 (1,)
         2*sqrt(I1)*sqrt(m0) - pi3_0 (1,) oo ()
     """
-    x, domain = symbol(name), [exact_expression(e, "domain") for e in domain]
+    x, domain = symbol(name), [exact_expression(e, name) for e in domain]
     if condition.degenerate:
         raise ScopeError(f"{condition.margin} > 0 also fails if "
                          f"{', '.join(map(str, condition.degenerate))} = 0, and is not solved in closed "

@@ -20,7 +20,7 @@ from ..mechanics.scenes.system import System
 from ..mechanics.scenes.vehicles import underwater_vehicle
 from ..notation import jet, symbol
 
-BODY = ("inertia", "gyrostatic_momentum", "rotors", "lumped")
+BODY = ("inertia", "products", "gyrostatic_momentum", "rotors", "lumped")
 VEHICLE = ("mass", "coupling", "weight")
 DERIVED = "derived_"                                   # before a name that a paper has for something else
 

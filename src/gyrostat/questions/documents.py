@@ -17,7 +17,7 @@ from .answers.equilibria import labels_of, some
 from .answers.report_list import report_list
 from .answers.solve_for import solutions_data, solved
 from .given_numbers import numbers_of
-from .scene_texts import Asked, entries_of, text_of
+from .scene_texts import Asked, asked_value, entries_of
 
 Scene = Mapping[str, Any]
 
@@ -122,7 +122,7 @@ def _question(scene: Scene, *names: str) -> tuple[Asked, str | None, dict[str, E
     read = SceneTable(scene)
     _ = read.system                                        # what is wrong in it is said of the table
     table = entries_of(read)
-    texts: dict[str, Any] = {name: tuple(table[name]) if name == "integrals" else text_of(table[name])
+    texts: dict[str, Any] = {name: asked_value(name, table[name])
                              for name in (entry.name for entry in fields(Asked)) if name in table}
     numbers = numbers_of([f"{name}={value}" for name, value in table.get("values", {}).items()])
     return Asked(**texts).of_body({*numbers, *names}), table.get("equilibrium"), numbers

@@ -1,18 +1,18 @@
 """Holds what is asked of a scene as texts, and makes the scene of the body and the field."""
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import Any
 
 from sympy import Expr
 
-from .._lazy import loaded
 from ..errors import ValuesError, brief
 from ..mechanics.equilibrium.unit_vectors import direction_in
 from ..mechanics.families.scene_tables import AXIAL, NONE, SceneTable
 from ..mechanics.scenes.system import System
 
 ROTOR = ("l1", "l2", "l3")
+REPEATED = ("integrals", "rotors")                     # texts of an option that may be repeated
 # the defaults of a file, which are those of a formula
 BODY: dict[str, Any] = {"inertia": ["I1", "I2", "I3"], "gyrostatic_momentum": ["0", "0", "0"],
                         "potential": NONE}
@@ -33,8 +33,14 @@ class Asked:
         the name of the spin of E1 and E2; the name that the relation of E3 expresses
     direction : str or None
         of a permanent rotation: three expressions, or stereographic
+    products : str or None
+        the sign of the products of inertia: negative or positive
+    rotors : tuple of str or None
+        axis=… axial=… rate=… of each, in place of the gyrostatic momentum
+    lumped : bool or None
+        whether the inertia includes the rotors; None: it does
     orbit : str or None
-        its rate, or mu=…,radius=…
+        its rate, or height=…, period=…, mu=… radius=…
     pointing : str or None
         the body axes along roll, pitch and yaw
     integrals : tuple of str or None
@@ -51,6 +57,9 @@ class Asked:
     orbit: str | None = None
     pointing: str | None = None
     integrals: tuple[str, ...] | None = None
+    products: str | None = None
+    rotors: tuple[str, ...] | None = None
+    lumped: bool | None = None
 
     def of_body(self, names: Collection[str]) -> "Asked":
         """The same with a body; if none is given, the one to which the names belong.
@@ -65,7 +74,10 @@ class Asked:
         if inertia is None:
             three = self.orbit is not None or _of_three(potential) or "I2" in names
             inertia = f"I1,{'I2' if three else 'I1'},I3"
-        if momentum is None:
+        if self.rotors is not None and momentum is not None:
+            raise ValuesError("wheels and the gyrostatic momentum are both given, and l is that of the "
+                              "wheels: leave out one of the two")
+        if momentum is None and self.rotors is None:
             rotor = [name for name in ROTOR if name in names]
             if rotor and "l" in names:
                 raise ValuesError(f"both l and {rotor[0]} are given, and l is the rotor along axis 3: give "
@@ -78,12 +90,17 @@ class Asked:
 @lru_cache(maxsize=64)
 def scene_of(asked: Asked) -> System:
     """The scene of a body in a field."""
-    rows = [row.split(",") for row in str(asked.inertia).split(";")]
-    body = {"inertia": rows if len(rows) > 1 else rows[0],
-            "gyrostatic_momentum": str(asked.gyrostatic_momentum).split(",")}
-    orbit = {} if asked.orbit is None else {"orbit": asked.orbit}
-    return SceneTable({"potential": asked.potential, **body, **orbit,
-                       "integrals": list(asked.integrals or ())}).system
+    return table_of(asked).system
+
+
+def table_of(asked: Asked) -> SceneTable:
+    """The table of a body in a field."""
+    table: dict[str, Any] = {name: getattr(asked, name) for name in (
+        "potential", "inertia", "products", "gyrostatic_momentum", "orbit")}
+    if asked.rotors is not None:
+        table |= {"rotors": list(asked.rotors), "lumped": asked.lumped is not False}
+    return SceneTable({**{name: x for name, x in table.items() if x is not None},
+                       "integrals": list(asked.integrals or ())})
 
 
 @lru_cache(maxsize=64)
@@ -116,37 +133,24 @@ def one_for_each(what: str, text: str, scene: System) -> Sequence[str]:
 
 
 def entries_of(scene: SceneTable) -> dict[str, Any]:
-    """The entries with their defaults; rotors become part of the tensor and of the momentum."""
+    """The entries with their defaults; rotors take the place of the gyrostatic momentum."""
     family = {} if scene.family is None else {"equilibrium": scene.family.asked_for}
-    return {**BODY, **_without_rotors(scene), **family}
+    without = {"gyrostatic_momentum"} if "rotors" in scene.table else set[str]()
+    return {**{name: x for name, x in BODY.items() if name not in without}, **scene.table, **family}
+
+
+def asked_value(name: str, value: Any) -> Any:
+    """A value of a table as Asked holds it."""
+    if name == "lumped":
+        return value
+    return tuple(map(text_of, value)) if name in REPEATED else text_of(value)
 
 
 def text_of(value: Any) -> str:
     """A value of a table as the text of an option; semicolons separate the rows of a tensor."""
-    if isinstance(value, str):
-        return value
+    if isinstance(value, str | bool):
+        return str(value)
     if isinstance(value, dict):
-        return ",".join(f"{name}={text}" for name, text in value.items())
+        return " ".join(f"{name}={text_of(text)}" for name, text in value.items())
     rows = [text_of(row) if isinstance(row, list) else str(row) for row in value]
     return (";" if any(isinstance(row, list) for row in value) else ",").join(rows)
-
-
-def _without_rotors(scene: SceneTable) -> dict[str, Any]:
-    """The table with the rotors in the tensor and the momentum; in orbit free rotors enter U, too."""
-    table = {name: value for name, value in scene.table.items() if name not in ("rotors", "lumped")}
-    if "rotors" in scene.table:
-        table["inertia"] = [[str(x) for x in row] for row in scene.body.tensor.tolist()]
-        table["gyrostatic_momentum"] = list(map(str, scene.body.gyrostatic_momentum))
-        if "orbit" in table:                               # numbers of SI, as the tensor
-            rate = loaded("mechanics.families.circular_orbit:orbital_rate")(scene.system)
-            table["orbit"] = {"rate": str(rate)}
-            table["potential"] = _beside(scene, table["orbit"])
-    return table
-
-
-def _beside(scene: SceneTable, orbit: Mapping[str, str]) -> str:
-    """What acts beside the gravity gradient of the tensor, none if nothing does."""
-    whole, gradient = scene.potential, SceneTable({"orbit": orbit}).potential
-    assert whole is not None and gradient is not None
-    other = (whole.expression - gradient.expression).expand()
-    return NONE if other == 0 else str(other)

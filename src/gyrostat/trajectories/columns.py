@@ -8,6 +8,7 @@ from sympy import ImmutableMatrix
 
 from ..algebra.enclosures.floats import Array
 from ..errors import ValuesError, optional
+from ..mechanics.classical.quaternion import quaternion_products
 from ..mechanics.families.circular_orbit import orbital_rate
 from ..mechanics.scenes.body import Gyrostat
 from ..mechanics.scenes.kind import Kind
@@ -108,11 +109,7 @@ def quaternions(turns: Array) -> Array:
     >>> quaternions(np.array([np.eye(3), quarter])).round(6).tolist()
     [[1.0, 0.0, 0.0, 0.0], [0.707107, 0.0, 0.0, 0.707107]]
     """
-    (a, b, c), (d, e, f), (g, h, i) = np.moveaxis(turns, 0, -1)
-    four = np.moveaxis(np.array([[1 + a + e + i, h - f, c - g, d - b], [h - f, 1 + a - e - i, b + d, c + g],
-                                 # the matrix 4 q qᵀ, each row a multiple of q
-                                 [c - g, b + d, 1 - a + e - i, f + h],
-                                 [d - b, c + g, f + h, 1 - a - e + i]]), -1, 0)
+    four = np.moveaxis(np.array(quaternion_products(np.moveaxis(turns, 0, -1))), -1, 0)
     found = four[np.arange(len(four)), np.diagonal(four, axis1=1, axis2=2).argmax(axis=1)]
     found = found / np.linalg.norm(found, axis=1, keepdims=True)
     if len(found):

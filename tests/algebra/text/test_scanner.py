@@ -76,7 +76,7 @@ def test_both_roads_read_the_same(text):
 
 @pytest.mark.parametrize("text", [
     "1e100", "1/0", "0.0/0", "2*3", "1_0", "--1", "1/2/3", "1/-2", "1/2.5", "nan", "", ".", "e5", "٣",
-    "1,5", "1\u00a0", "(1)", "5e123 kg", "1" * (SHORT + 1), "5 ²", "5 °"])
+    "1,5", "1\u00a0", "(1)", "5e123 kg", "1" * (SHORT + 1), "5 ²"])
 def test_all_other_texts_are_left_to_the_grammar(text):
     """Whatever could be too long, divides by zero, or is no plain numeral."""
     assert numeral(text) is None
@@ -84,10 +84,10 @@ def test_all_other_texts_are_left_to_the_grammar(text):
 
 def test_a_unit_after_a_numeral_is_read_once():
     """The units that come again with other numbers are not parsed again."""
-    quantities._units_in.cache_clear()
+    quantities.units_in.cache_clear()
     for n in range(5):
         assert quantity(f"{n}.5 rpm")[0] == Rational(2 * n + 1, 2) * pi / 30
-    assert quantities._units_in.cache_info()[:2] == (4, 1)
+    assert quantities.units_in.cache_info()[:2] == (4, 1)
 
 
 def test_a_text_is_read_once(monkeypatch):

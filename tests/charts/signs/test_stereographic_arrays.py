@@ -77,10 +77,11 @@ def test_on_a_boundary_the_sign_is_exact(report):
 
 @pytest.mark.parametrize("backend", ["numpy", "numba"])
 @pytest.mark.parametrize("damped", [False, True])
-def test_small_matrices_decide_like_margins_that_are_written_out(report, tiny_blocks, backend, damped):
+@pytest.mark.parametrize("n", [6, pytest.param(13, marks=pytest.mark.slow)])
+def test_small_matrices_decide_like_margins_that_are_written_out(report, tiny_blocks, backend, damped, n):
     """The same bits by both, on one thread and on two; the conditions of this scene are written in names."""
     assert report.closed is not None and report.written_out.closed is None
-    u = np.linspace(-1.5, 1.5, 13)
+    u = np.linspace(-1.5, 1.5, n)
     given = {"omega": -1.0, "sigma": np.array([-3.0, -1.0, 0.5])[:, None, None], "u1": u[:, None], "u2": u}
     first, *others = (gs.charts.verdicts(which, given, backend=backend, damped=damped, threads=threads)
                       for which in (report, report.written_out) for threads in (1, 2))

@@ -35,7 +35,7 @@ def test_a_command_of_the_page(capsys, tmp_path, monkeypatch, command):
         Path(name).write_text(content)
     program, verb, *arguments = shlex.split(command)
     status, out, _ = run(capsys, *arguments, verb=verb)
-    assert program == "gyrostat" and status == 0 and out
+    assert program == "gyrostat" and status == 0 and (out or "--output" in arguments)
 
 
 def decided(capsys, *arguments):
@@ -86,3 +86,77 @@ def test_what_is_no_data_sheet_says_why(table, why):
     """And what to write."""
     with pytest.raises(GyrostatError, match=why):
         _ = SceneTable(table).body
+
+
+TENSOR = "[[62.1, 1.3, -0.8], [1.3, 71.4, 0.6], [-0.8, 0.6, 38.2]] kg m^2"
+WHEELS = ("axis=0,1,0 inertia=0.02 kg m^2 speed=3000 rpm", "axis=0,0,1, inertia=0.02 kg m^2, speed=-500 rpm")
+SHEET = f"""
+[scene.sheet]
+inertia = "{TENSOR}"
+rotors = ["{WHEELS[0]}", {{ axis = [0, 0, 1], axial = "0.02 kg m^2", rate = "-500 rpm" }}]
+lumped = true
+"""
+
+
+def test_wheels_on_the_command_line_are_those_of_a_file(capsys, tmp_path):
+    """The sheet of the page, by options alone: the same table."""
+    path = tmp_path / "sheet.toml"
+    path.write_text(SHEET)
+    old = tmp_path / "old.toml"
+    old.write_text(FILES["sheet.toml"])
+    typed = ("--potential", "none", "--inertia", TENSOR, "--wheel", WHEELS[0], "--wheel", WHEELS[1])
+    outs = [run(capsys, *arguments, "--momentum", "20 N m s", verb="decide")[1]
+            for arguments in (typed, ("--scene", str(path)), ("--scene", str(old)))]
+    assert outs[0] == outs[1] == outs[2] and "13.65" in outs[0]
+    with_wheel = run(capsys, "--scene", str(path), "--wheel", "axis=1,0,0 inertia=1 kg m^2 momentum=0 N m s",
+                     "--momentum", "20 N m s", verb="decide")
+    assert with_wheel[0] == 0 and with_wheel[1] != outs[0]
+
+
+def test_products_of_inertia_on_the_command_line(capsys):
+    """Positive integrals are the tensor with the other signs."""
+    other = TENSOR.replace("1.3,", "-1.3,").replace("-0.8", "0.8").replace("0.6", "-0.6")
+    other = other.replace("[1.3", "[-1.3")
+    asked = ("--potential", "none", "--momentum", "20 N m s", "--gyrostatic-momentum", "0, 0, 3 N m s")
+    outs = [run(capsys, *asked, *more, verb="decide") for more in (
+        ("--inertia", TENSOR, "--products", "positive"), ("--inertia", other), ("--inertia", TENSOR))]
+    assert outs[0] == outs[1] != outs[2] and not outs[0][0]
+
+
+def test_an_orbit_overrides_that_of_a_file_with_rotors(capsys, tmp_path):
+    """Its tensor has a unit, and keeps it."""
+    path = tmp_path / "sheet.toml"
+    path.write_text('[scene.a]\ninertia = "120, 140, 80 kg m^2"\nlumped = true\norbit = "0.0011 rad/s"\n'
+                    'rotors = ["axis=0,1,0 inertia=0.02 kg m^2 speed=30 rpm"]\n')
+    found = [run(capsys, "--scene", str(path), *more, verb="decide") for more in (
+        (), ("--orbit", "height=500 km"), ("--orbit", "1"))]
+    assert [status for status, *_ in found] == [0, 0, 2]
+    assert "'120 kg m^2' has a unit and orbit rate = '1' has none" in found[2][2]
+
+
+@pytest.mark.parametrize("wheel", [
+    "axis=0,0,1 inertia=0.01 kg speed=30 rpm", "axis=0,0,1 speed=30 rpm", "0,0,1",
+    "axis=0,0,1 inertia=1 kg m^2 sped=1 rpm", "axis=0,0,1 inertia=1 kg m^2 axial=1 kg m^2", "",
+    "axis=0,0 inertia=1 kg m^2",
+    "axis=0,0,1 inertia=0.01 kg m^2 speed=30", "axis=0,0,1 inertia=1 g m^2 speed=1 rpm momentum=1 N m s",
+    "axis=0,0,1 kg inertia=1 kg m^2", "axis=0,0,1 inertia=900 kg m^2"])
+def test_what_is_no_wheel_says_why(capsys, wheel):
+    """And what to write."""
+    status, out, err = run(capsys, "--inertia", TENSOR, "--wheel", wheel, "--potential", "none",
+                           "--momentum", "20 N m s", verb="decide")
+    assert status == 2 and not out and 20 < len(err) <= 311
+
+
+def test_wheels_and_a_gyrostatic_momentum_exclude_each_other(capsys):
+    """And a tensor without its wheels needs their moments across."""
+    asked = ("--potential", "none", "--inertia", TENSOR, "--wheel", WHEELS[0], "--momentum", "20 N m s")
+    assert "both given" in run(capsys, *asked, "--gyrostatic-momentum", "0,0,1 N m s", verb="decide")[2]
+    assert "transverse" in run(capsys, *asked, "--lumped", "false", verb="decide")[2]
+    assert "neither true nor false" in _refused(capsys, *asked, "--lumped", "yes")
+
+
+def _refused(capsys, *arguments):
+    """What is written before the parser ends."""
+    with pytest.raises(SystemExit):
+        run(capsys, *arguments, verb="decide")
+    return capsys.readouterr().err

@@ -11,6 +11,7 @@ from gyrostat.cli.parser import main
 CONES = ["cones", "--set=I1=2", "--set=I3=1", "--transverse", "1", "--axial", "2"]
 
 
+@pytest.mark.few(5)                                    # each size, and each kind
 @pytest.mark.parametrize(("size", "across"), [
     ([], 1020), (["--width", "86mm"], 1016), (["--width", "2", "--dpi", "100"], 200),
     (["--width", "17 cm", "--dpi", "72"], 482)])

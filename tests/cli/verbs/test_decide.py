@@ -39,7 +39,8 @@ def test_decide_as_data(capsys):
     _, out, _ = decide(capsys, "--equilibrium", "E1", *HEAVY, *settings(I1=1, I3=9, l=0, m0=1, pi3_0=3),
                        "--format", "json")
     (e1,) = json.loads(out)["equilibria"]
-    assert set(e1) == {"label", "locus", "place", "frequencies", "growth_rate", "decision",
+    assert set(e1) == {"number", "label", "locus", "place", "attitude", "frequencies",
+                       "frequencies_per_orbit", "growth_rate", "doubling_time", "decision",
                        "damped_decision", "itself"}
     assert e1["place"] == {} and e1["frequencies"] is e1["growth_rate"] is e1["itself"] is None
     assert set(e1["decision"]) == {"verdict", "notion", "modulo", "level", "locus", "rung", "proved",
@@ -60,13 +61,15 @@ def test_decide_the_tilted_point_itself(capsys):
 
 
 def test_decide_every_tilt(capsys):
-    """E3 by ω and l, or by k3 and l: every one there is, exact and as a decimal."""
+    """E3 by ω and l, or by k3 and l: every one there is, as a decimal, and exact if asked for."""
     cubic = ["--equilibrium", "E3", "--potential", "m0*k3 + a*k3**3",
              *settings(I1=2, I3=1, l=1, m0="1/2", a="1/3")]
-    _, out, _ = decide(capsys, *cubic, "--set", "omega=1", "--format", "json")
+    _, out, _ = decide(capsys, *cubic, "--set", "omega=1", "--format", "json", "--exact")
     (e3,) = json.loads(out)["equilibria"]
-    assert e3["place"]["k3"] == {"exact": "-1/2 + sqrt(3)/2", "decimal": 0.36602540378443865}
-    assert e3["place"]["omega"]["exact"] == "1"
+    assert e3["place"]["k3"] == 0.36602540378443865                    # −1/2 + √3/2
+    assert e3["exact"]["k3"] == {"polynomial": "2*x**2 + 2*x - 1",
+                                 "interval": ["0.366025403784438646", "0.366025403784438647"]}
+    assert e3["exact"]["omega"] == {"polynomial": "x - 1", "interval": ["1", "1"]}
     assert e3["decision"]["modulo"] == ["pi3"] and e3["itself"]["verdict"] == "UNSTABLE"
     _, out, _ = decide(capsys, *cubic, "--set", "k3=1/10")
     assert out.count("Verdict") == 2 and out.count("The point itself") == 2 and "k₃ = 1/10\n" in out
@@ -146,5 +149,5 @@ def test_a_rate_with_pi_in_a_quartic_field(capsys):
     answers = json.loads(capsys.readouterr().out)["equilibria"]
     assert status == 0 and [a["label"] for a in answers] == ["E1", "E3", "E2"]
     assert [a["decision"]["verdict"] for a in answers] == ["STABLE"] * 3
-    k3, rate = answers[1]["place"]["k3"]["decimal"], 2 * math.pi
+    k3, rate = answers[1]["place"]["k3"], 2 * math.pi
     assert 4 * k3**3 - k3 + rate * (2 * rate * k3 - 1 - rate * k3) == pytest.approx(0, abs=1e-13)

@@ -151,6 +151,7 @@ def test_a_range_of_rates_in_rpm():
     assert folds[0] == folds[1] and len(folds[0]) == 2
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("inertia", [(5, 4, 3), TENSOR], ids=["moments", "tensor"])
 def test_a_wheel_in_rpm_and_a_rational_momentum(inertia):
     """As with a decimal for π; where rotations meet is not found."""

@@ -12,7 +12,8 @@ from slow import sampled
 from sympy import Matrix, Rational, sqrt
 
 import gyrostat as gs
-from gyrostat.equilibria.finders.heavy_form import HeavyForm
+from gyrostat.equilibria.finders.heavy_form import HeavyForm, unreached
+from gyrostat.equilibria.finders.level_rates import LevelZeros
 from gyrostat.errors import ValuesError
 from gyrostat.stability.criteria.amended_form import amended_form
 
@@ -186,3 +187,30 @@ def test_two_frequencies_that_are_equal():
     critical, beyond = (HeavyForm(scene, (0, 0, 1), sqrt(8) + x) for x in (0, Rational(1, 10**50)))
     assert critical.signs == beyond.signs == (-1, 1)
     assert critical.spectral_signs == (1, 0) and beyond.spectral_signs == (1, 1)
+
+
+def test_balls_decide_without_expressions(monkeypatch):
+    """A rotation that gyroscopic forces stabilise, in a field of degree 18: no component is written out."""
+    def refuse(*_):
+        raise AssertionError("a number in the field is written out")
+
+    U = k1 / 10 + k2 / 5 + 3 * k3 / 10
+    moments, rotor = ([Rational(n, 100) for n in several] for several in ((107, 121, 141), (28, 52, 85)))
+    scene = gs.assemble(gs.Gyrostat(moments, rotor), gs.general_potential(U))
+    monkeypatch.setattr(LevelZeros, "expression", refuse)
+    found = gs.relative_equilibria(scene, {"C1": 1})
+    assert sum(r.decision.notion == "Lyapunov (Arnold-Moser)" for r in found) == 1
+    assert sum(r.damped.verdict.name == "STABLE" for r in found) == 1
+
+
+def test_what_damping_does_not_reach_in_expressions():
+    """M × k, and D²U − k·∇U across k: in fractions, and in numbers that are sums of roots."""
+    data = ([[2, 1, 0], [1, 3, 1], [0, 1, 4]], [1, -2, 3], [3, 1, 2], [[1, 2, 0], [2, 0, 1], [0, 1, 5]],
+            [Fraction(2, 3), Fraction(1, 3), Fraction(2, 3)], 2)
+    unit = 1 + sqrt(2)
+    inertia, rotor, gradient, curved, k, omega = data
+    scaled = ([[unit * x for x in row] for row in inertia], [unit * x for x in rotor],
+              [unit * x for x in gradient], [[unit * x for x in row] for row in curved], k, omega)
+    wanted = unreached(*data)
+    assert any(wanted) and all((x - unit * Rational(y.numerator, y.denominator)).expand() == 0
+                               for x, y in zip(unreached(*scaled), wanted))

@@ -60,7 +60,7 @@ def test_a_product_of_roll_and_yaw_is_held_by_no_rotor():
     """What it is, what turns the body, and by which angle it is turned: here cos φ = 4/5, sin φ = 3/5."""
     body = gs.Gyrostat([["34/25", 0, "-12/25"], [0, 2, 0], ["-12/25", 0, "41/25"]], (0, 0, 0))
     with pytest.raises(gs.errors.EquilibriumError, match=r"t·Ir = -12/25, .* no rotor balances it\. .*"
-                       r"t goes towards r by φ, tan 2φ = .*, here -24/25 over -7/25$"):
+                       r"t towards r by φ, tan 2φ = .* = -24/25 over -7/25$"):
         gs.earth_pointing_gyrostat(body, gs.circular_orbit())
     turn = Matrix([[4, 0, 3], [0, 5, 0], [-3, 0, 4]]) / 5  # rows: the new t, n, r
     turned = gs.Gyrostat((turn * body.tensor * turn.T).tolist(), (0, 3, 0))
@@ -114,8 +114,6 @@ def test_a_free_pitch_wheel():
     assert orientation_form(pointing).stiffness == K
     pitch = gs.derivation.linearize(pointing).factors()[0][0]
     assert pitch == 233 * gs.symbol("lamda")**2 + 250      # 699/10 and 75
-    with pytest.raises(gs.errors.ScopeError, match="or a rotor is free"):
-        gs.relative_equilibria(pointing.system, {})
 
 
 def test_driven_rotors_are_in_the_tensor():

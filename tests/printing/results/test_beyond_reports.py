@@ -98,7 +98,8 @@ def test_an_equilibrium_in_orbit_says_where_it_is():
     """The normal and the vertical in body axes, and the verdict; typeset too."""
     scene = gs.assemble(gs.Gyrostat((1, "5/4", "8/5"), (0, 0, 0)), gs.circular_orbit(1))
     found = relative_equilibria(scene, {})
-    assert str(found[0]) == "equilibrium in orbit at n = (1, 0, 0), r = (0, 0, 1): unstable"
+    assert str(found[0]) == ("equilibrium in orbit at n = (1, 0, 0), r = (0, 0, 1), roll 0°, pitch 0°, "
+                             "yaw 90°: unstable")
     assert r"r = \text{(}1" in found[5]._repr_latex_()
 
 

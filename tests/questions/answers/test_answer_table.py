@@ -43,7 +43,7 @@ def test_one_that_is_named_has_no_table(capsys):
 
 
 def test_rows_of_a_satellite_are_those_of_the_list(capsys):
-    """Place and verdict of each, in the order of relative_equilibria; a label that all have is said once."""
+    """Angles and verdict of each, in the order of relative_equilibria; a label that all have is said once."""
     _, out, _ = decide(capsys, *SATELLITE)
     body = gs.Gyrostat((1, "5/4", "8/5"), ("3/10", "1/5", "1/10"))
     found = gs.relative_equilibria(gs.assemble(body, gs.circular_orbit(1)), {})
@@ -51,9 +51,18 @@ def test_rows_of_a_satellite_are_those_of_the_list(capsys):
     assert out.startswith(f"{len(found)} relative equilibria (equilibrium in orbit): 2 stable")
     assert len(table) == len(found)
     for n, (row, e) in enumerate(zip(table, found), 1):
-        assert row[0] == str(n) and row[7] == e.decision.verdict.name.lower()
-        shown = [float(x.replace("−", "-")) for x in row[1:7]]
-        assert max(abs(x - float(y)) for x, y in zip(shown, e.place.values())) < 1e-4     # four digits
+        assert row[0] == str(n) and row[4] == e.decision.verdict.name.lower()
+        shown = [float(x.replace("−", "-")) for x in row[1:4]]
+        angles = e.attitude.roll, e.attitude.pitch, e.attitude.yaw
+        assert max(abs(x - y) for x, y in zip(shown, angles)) < 0.0051
+
+
+def test_at_a_pitch_of_90_degrees_the_row_says_what_is_determined(capsys):
+    """Roll and yaw are left out; below the row stands their difference or their sum."""
+    _, out, _ = decide(capsys, "--orbit", "1", "--inertia", "60,70,35", "--gyrostatic-momentum", "0,0,0")
+    assert out.count("° is determined\n") == 8 and "yaw about r, then by pitch" in " ".join(out.split())
+    (fifth,) = (row for row in rows(out) if row[0] == "5")
+    assert fifth == ["5", "90.00", "unstable", "unstable"]
 
 
 def test_columns_have_units_if_the_numbers_have(capsys):

@@ -19,7 +19,8 @@ def test_arcs_as_text(capsys):
     assert "to k = (0, 0, 1), where ω =" in out and "every ω: stable" in out
 
 
-@pytest.mark.parametrize("field", ["k3", "2*k1 - k3", "-k1 + k2 - 3*k3"])
+@pytest.mark.parametrize("field", ["k3", "2*k1 - k3",
+                                   pytest.param("-k1 + k2 - 3*k3", marks=pytest.mark.slow)])
 def test_what_is_not_proved_of_single_rates_is_said(capsys, field):
     """In the order of the pieces, of those that D4 decides and of no others."""
     asked = ["--potential", field, "--inertia", "2,1,6/5", "--gyrostatic-momentum=0,3/8,-1"]
@@ -52,8 +53,9 @@ def test_arcs_as_data(capsys, rotor):
     assert status == 0 and len(found) == len(arcs)
     for data, arc in zip(found, arcs):
         assert data["parameter"] == str(arc.parameter)
-        assert [data[end]["exact"] for end in ("low", "high")] == [str(arc.low), str(arc.high)]
-        assert [end["omega"]["exact"] for end in data["ends"]] == [str(end.omega) for end in arc.ends]
+        texts = [(data[end]["exact"], str(getattr(arc, end))) for end in ("low", "high")]
+        texts += [(end["omega"]["exact"], str(given.omega)) for end, given in zip(data["ends"], arc.ends)]
+        assert all(said == whole if len(whole) <= 60 else len(said) <= 24 for said, whole in texts)
         assert [[x["decimal"] for x in end["k"]] for end in data["ends"]] == [
             [float(x) for x in end.k] for end in arc.ends]
         assert [piece["decision"]["verdict"] for piece in data["pieces"]] == [

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 from rotation_families import JETS, LINEAR, QUADRATIC, ROTOR
-from sympy import Rational
+from sympy import Rational, sympify
 
 import gyrostat as gs
 from gyrostat.printing.formats.json_data import json_text, report_data
@@ -168,6 +168,51 @@ def test_short_conditions_are_written_out(long, U, place, body):
         assert report.written_out.damped.alternatives == report.written_out.sufficient.alternatives
     else:
         assert report.written_out is report
+
+
+def of_degree_two(*names):
+    """U = c·k, and a coefficient b_ij for each product of components that is named."""
+    k = [gs.symbol(f"k{n}") for n in (1, 2, 3)]
+    return LINEAR + sum(gs.symbol(f"b{x}") * k[int(x[0]) - 1] * k[int(x[1]) - 1] for x in names)
+
+
+def tensor(*products):
+    """A tensor of names, with some of the products of inertia."""
+    return [[x if i == j or f"{min(i, j)}{max(i, j)}" in products else 0 for j, x in enumerate(row, 1)]
+            for i, row in enumerate(ENTRIES, 1)]
+
+
+def parts(form):
+    """How many parts a symmetric matrix has that no entry connects."""
+    joined = [{i} for i in range(form.rows)]
+    for i in range(form.rows):
+        for j in range(i):
+            if form[i, j] != 0:
+                both = [part for part in joined if i in part or j in part]
+                joined = [part for part in joined if part not in both] + [set().union(*both)]
+    return len(joined)
+
+
+@pytest.mark.parametrize(("splits", "products", "rotor", "U"), [
+    (True, ("13",), (1, 0, "l"), ("11", "22", "13")), (False, ("13",), (1, "l", 0), ("11", "22", "13")),
+    (False, ("13",), (1, 0, "l"), ("11", "22", "12")), (False, ("12", "13"), (1, 0, "l"), ("11", "22"))])
+def test_what_splits_is_written_out_however_long(splits, products, rotor, U):
+    """A plane of symmetry of I and U has k and l in it; the blocks are those of the second variation."""
+    report = analyzed(of_degree_two(*U), PLANE, inertia=tensor(*products), gyrostatic_momentum=rotor)
+    assert (report.closed is None) is splits
+    assert (parts(report.written_out.second_variation.matrix) > 1) is splits
+
+
+@pytest.mark.parametrize(("splits", "along"), [(True, 0), (True, 1), (False, 0)])
+def test_a_body_at_rest_splits_if_its_rotor_is_along_k(splits, along):
+    """Its momenta are apart from its attitude then; without a rotor, too."""
+    k = tuple(map(sympify, gs.stereographic()))
+    rotor = [along * gs.symbol("l") * x for x in k] if splits else (1, 0, 0)
+    scene = gs.assemble(gs.Gyrostat(gyrostatic_momentum=rotor), gs.general_potential())
+    slopes = tuple((gs.symbol(f"dU_{n}"), gs.symbol("sigma") * x) for n, x in enumerate(k, 1))
+    report = gs.analyze(gs.Equilibrium("at rest", scene, (*map(sympify, (0, 0, 0)), *k), slopes))
+    assert (report.closed is None) is splits
+    assert (parts(report.written_out.second_variation.matrix) > 1) is splits
 
 
 def test_a_tensor_of_six_letters_is_printed_in_names(any_tensor):

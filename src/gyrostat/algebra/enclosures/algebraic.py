@@ -15,6 +15,7 @@ from ..._lazy import loaded
 from .precision import own_precision
 
 TURNS = (sin, cos, tan, cot, sec, csc)
+ISOLATED = 256                                         # bits of isolated roots: fewer take as long
 
 
 def is_algebraic(constant: Expr) -> bool:
@@ -136,9 +137,12 @@ def _conjugates(node: Expr) -> tuple[float, float, int] | None:
 def real_root(root: CRootOf, precision: int) -> arb:
     """Enclose a real root of a polynomial by the interval Newton method.
 
-    It starts from an enclosure with half as many bits. The enclosure is not finite if that root is not real.
+    It starts from an enclosure with half as many bits; up to 256 bits it is the one by which the root is
+    isolated. The enclosure is not finite if that root is not real.
     """
-    near = real_root(root, precision // 2) if precision > 128 else _isolated(root, precision)
+    if precision <= ISOLATED:
+        return _isolated(root, ISOLATED)
+    near = real_root(root, precision // 2)
     polynomial, slope = over_integers(root.poly), over_integers(root.poly).derivative()
     with own_precision(precision + 32):
         while near.rad():
@@ -153,14 +157,17 @@ def real_root(root: CRootOf, precision: int) -> arb:
 
 
 def _isolated(root: CRootOf, precision: int) -> arb:
-    real = _real_roots(root.poly, precision)
+    real = real_roots_of(root.poly, precision)
     # the real ones come first, in order
     return real[root.index] if root.index < len(real) else arb("nan")
 
 
 @lru_cache(maxsize=64)
-def _real_roots(polynomial: Poly, precision: int) -> list[arb]:
-    """Enclose all real roots of a polynomial: to isolate one takes nearly as long as to isolate all."""
+def real_roots_of(polynomial: Poly, precision: int = ISOLATED) -> list[arb]:
+    """Enclose all real roots of a polynomial, in increasing order.
+
+    To isolate one takes nearly as long as to isolate all.
+    """
     with own_precision(precision):
         return loaded("algebra.enclosures.real_roots:isolated_roots")(over_integers(polynomial))
 

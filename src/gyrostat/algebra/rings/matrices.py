@@ -131,6 +131,16 @@ def adjugate(rows: Sequence[Sequence[Any]]) -> list[tuple[Any, Any, Any]]:
     return [cross(rows[1], rows[2]), cross(rows[2], rows[0]), cross(rows[0], rows[1])]
 
 
+def solved(rows: Sequence[Sequence[Expr]], vector: Sequence[Expr]) -> list[Expr]:
+    """Return A⁻¹v in lowest terms, for a symmetric matrix A of three rows."""
+    ring = Ring([*(entry for row in rows for entry in row), *vector])
+    (form, below), ((values,), bottom) = ring.matrix(rows), ring.matrix([vector])
+    across = adjugate(form)
+    whole = sum((x * y for x, y in zip(form[0], across[0])), ring.zero) * bottom
+    return [ring.quotient(sum((x * v for x, v in zip(row, values)), ring.zero) * below, whole)
+            for row in across]
+
+
 def blocks(rows: Sequence[Sequence[Any]]) -> list[list[int]]:
     """Return the indices of a symmetric matrix in blocks: those together that entries connect."""
     blocks: list[list[int]] = []

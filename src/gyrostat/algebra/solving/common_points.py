@@ -47,15 +47,17 @@ class CommonPoints:
         self.simple = prod((fmpq_poly(f) for f, n in factors if n == 1), start=fmpq_poly([1]))
         self.multiple = [fmpq_poly(f) for f, n in factors if n != 1]
 
-    def points(self, precision: int, factor: fmpq_poly | None = None) -> list[tuple[arb, arb]]:
-        """Return enclosures of the real points (x, y), by y; x is not finite if the precision is too low.
+    def points(self, precision: int) -> list[tuple[arb, arb]]:
+        """Return enclosures of the real points (x, y), by y; x is not finite if the precision is too low."""
+        with own_precision(precision):
+            roots = isolated_roots(self.simple)
+        return list(zip(self.over(roots, precision), roots))
 
-        They lie over the roots of a factor of `simple`, default all.
-        """
+    def over(self, roots: Sequence[arb], precision: int) -> list[arb]:
+        """Return enclosures of x over enclosures of some roots y of `simple`."""
         with own_precision(precision):
             F, G = ([arb_poly(part) for part in parts] for parts in self._parts)
-            return [(_shared([f(y) for f in F], [g(y) for g in G]), y)
-                    for y in isolated_roots(self.simple if factor is None else factor)]
+            return [_shared([f(y) for f in F], [g(y) for g in G]) for y in roots]
 
 
 def _shared(F: Sequence[arb], G: Sequence[arb]) -> arb:

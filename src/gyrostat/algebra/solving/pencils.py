@@ -1,14 +1,20 @@
 """Points of a sphere that a symmetric pencil of matrices takes to a given vector, by its adjugate."""
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
+from flint import arb, fmpq_poly
 from sympy import Add, Expr, Matrix, S, Symbol, eye, sqrt
 
+from ..._cached import cached_property
+from ..enclosures.balls import finite_ball
 from ..reals.exact import evaluate, proved_sign
+from ..reals.number_fields import in_one
 from ..reals.number_matrices import exact
 from ..rings.matrices import adjugate, cross
-from .roots import real_roots
+from ..rings.polynomials import Ring
+from .real_fields import BITS, Conjugates, FieldNumbers
+from .roots import in_order, real_roots, roots_of_factor
 
-Found = tuple[Expr, tuple[Expr, ...], tuple[Expr, ...] | None]
+Found = tuple[Sequence[Expr], tuple[Expr, ...] | None]
 
 
 def points_on_sphere(pencil: Matrix, vector: Matrix, radius: Expr, nu: Symbol) -> Iterator[Found]:
@@ -21,7 +27,7 @@ def points_on_sphere(pencil: Matrix, vector: Matrix, radius: Expr, nu: Symbol) -
     Parameters
     ----------
     pencil : Matrix, shape (3, 3)
-        symmetric, affine in nu
+        symmetric, affine in nu; of full rank for large nu
     vector : Matrix, shape (3, 1)
         exact numbers
     radius : Expr
@@ -31,7 +37,8 @@ def points_on_sphere(pencil: Matrix, vector: Matrix, radius: Expr, nu: Symbol) -
     Yields
     ------
     tuple
-        ν; x; the axis about which x may be turned, None if there is none, 0 if x is any point of the sphere
+        ν, x1, x2, x3; the axis about which x may be turned, None if there is none, 0 if x is any point of the
+        sphere. At rational numbers ν and x are FieldNumbers, unless they are of degree 1 or 2
 
     References
     ----------
@@ -43,24 +50,83 @@ def points_on_sphere(pencil: Matrix, vector: Matrix, radius: Expr, nu: Symbol) -
     >>> nu = Symbol("nu")
     >>> pencil, vector = diag(1, 2, 3) + nu * eye(3), Matrix([0, 0, 2])
     >>> for found in points_on_sphere(pencil, vector, S.One, nu):
-    ...     print(*found[:2])
-    -5 (0, 0, -1)
-    -1 (0, 0, 1)
+    ...     print(found[0])
+    (-5, 0, 0, -1)
+    (-1, 0, 0, 1)
     """
-    minors = Matrix(adjugate(pencil.tolist()))
-    above, below = minors * vector, Add(*(x * y for x, y in zip(pencil[:, 0], minors[:, 0]))).expand()
-    parts = [x / below for x in above]
-    if pencil.is_diagonal():                               # the same, in lowest terms
-        parts = [x / pencil[n, n] if x else S.Zero for n, x in enumerate(vector)]
+    ring = Ring([*pencil, *vector, radius, nu])
+    if ring.generators == (nu,):
+        yield from _at_rational_numbers(ring, pencil, vector, radius, nu)
+        return
+    above, below, parts = _by_adjugate(pencil, vector)
     for root in real_roots(Add(*(x**2 for x in parts)) - radius**2, nu) or ():
         if proved_sign(evaluate(below, {nu: root})) != 0:
-            yield root, tuple(evaluate(x, {nu: root}) for x in parts), None
+            yield (root, *(evaluate(x, {nu: root}) for x in parts)), None
     for root in real_roots(below, nu) or ():
-        yield from along_kernel(pencil, above, below, radius, nu, root)
+        for _, x, axis in along_kernel(pencil, above, below, radius, nu, root):
+            yield (root, *x), axis
 
 
-def along_kernel(pencil: Matrix, above: Matrix, below: Expr, radius: Expr, nu: Symbol,
-                  root: Expr) -> Iterator[Found]:
+def _by_adjugate(pencil: Matrix, vector: Matrix) -> tuple[Matrix, Expr, list[Expr]]:
+    """Return adj(pencil) vector and det(pencil), and their quotients."""
+    minors = Matrix(adjugate(pencil.tolist()))
+    above, below = minors * vector, Add(*(x * y for x, y in zip(pencil[:, 0], minors[:, 0]))).expand()
+    if pencil.is_diagonal():                               # the same, in lowest terms
+        return above, below, [x / pencil[n, n] if x else S.Zero for n, x in enumerate(vector)]
+    return above, below, [x / below for x in above]
+
+
+def _at_rational_numbers(ring: Ring, pencil: Matrix, vector: Matrix, radius: Expr, nu: Symbol
+                         ) -> Iterator[Found]:
+    """Yield the solutions by FLINT's polynomials: one divides another if it vanishes at all roots of it."""
+    rows, (given, (size,)) = ([[in_one(ring.numerator(x), 0) for x in row] for row in several]
+                              for several in (pencil.tolist(), (vector, (radius,))))
+    minors = adjugate(rows)
+    above = [sum(x * y for x, y in zip(row, given)) for row in minors]
+    below = sum(x * y for x, y in zip(rows[0], minors[0]))
+    found: list[tuple[arb, Sequence[Expr]]] = []
+    for factor, _ in (sum(x**2 for x in above) - size**2 * below**2).factor()[1]:
+        if below % factor:
+            found += _Points(factor, above, below, pencil, vector, nu).lists()
+    yield from ((numbers, None) for _, numbers in sorted(found, key=lambda pair: pair[0].mid()))
+    kernels = [root for factor, order in below.factor()[1] if not any(x % factor**order for x in above)
+               for root in roots_of_factor(factor)]
+    if kernels:
+        tops, under, _ = _by_adjugate(pencil, vector)
+        for root in in_order(kernels):
+            for _, x, axis in along_kernel(pencil, tops, under, radius, nu, root):
+                yield (root, *x), axis
+
+
+class _Points(Conjugates):
+    """The real roots ν of a factor and x, enclosed by FLINT's polynomials and written by SymPy's."""
+
+    def __init__(self, factor: fmpq_poly, tops: Sequence[fmpq_poly], under: fmpq_poly, pencil: Matrix,
+                 vector: Matrix, nu: Symbol):
+        super().__init__(factor, [fmpq_poly([0, 1]) * under, *tops], under)
+        self.pencil, self.vector, self.nu = pencil, vector, nu
+
+    def lists(self) -> Iterator[tuple[arb, Sequence[Expr]]]:
+        """Yield an enclosure of each root, and ν and x there, as expressions if these are short."""
+        short = self.polynomial.degree() < 3
+        roots = [finite_ball(root, BITS) for root in self.exact] if short else self.roots()
+        for n, root in enumerate(roots):
+            numbers = FieldNumbers(self, n, [(place, S.One) for place in range(4)])
+            yield root, tuple(numbers) if short else numbers
+
+    def expression(self, root: int, place: int) -> Expr:
+        """Return ν or a component of x."""
+        if not place:
+            return self.exact[root]
+        return evaluate(self._parts[place - 1], {self.nu: self.exact[root]})
+
+    @cached_property
+    def _parts(self) -> list[Expr]:
+        return _by_adjugate(self.pencil, self.vector)[2]
+
+
+def along_kernel(pencil: Matrix, above: Matrix, below: Expr, radius: Expr, nu: Symbol, root: Expr
+                 ) -> Iterator[tuple[Expr, tuple[Expr, ...], tuple[Expr, ...] | None]]:
     """Yield the solutions at a root of the determinant, simple, double or triple."""
     order = next(n for n in (1, 2, 3) if proved_sign(evaluate(below.diff(nu, n), {nu: root})) != 0)
     if any(proved_sign(evaluate(x.diff(nu, n), {nu: root})) for n in range(order) for x in above):

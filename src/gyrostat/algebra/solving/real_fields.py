@@ -11,7 +11,7 @@ from ..enclosures.precision import own_precision
 from ..enclosures.real_roots import isolated_roots
 from ..reals.number_fields import at_root, divided
 from .root_numbers import refuse_close
-from .roots import in_order, roots_of_factor
+from .roots import roots_of_factor
 
 BITS = 192                                             # of most enclosures that are asked for
 
@@ -63,6 +63,7 @@ class Conjugates(RealNumbers):
 
     def roots(self, precision: int = BITS) -> list[arb]:
         """Return enclosures of the real roots, in increasing order, isolated."""
+        precision = max(precision, BITS)                   # fewer bits take as long
         if precision not in self._roots:
             refuse_close(self.polynomial.numer())
             with own_precision(precision):
@@ -71,6 +72,7 @@ class Conjugates(RealNumbers):
 
     def values(self, precision: int = BITS) -> list[list[arb]]:
         """Return enclosures of the quotients at each root."""
+        precision = max(precision, BITS)
         if precision not in self._values:
             with own_precision(precision):
                 under, *tops = (arb_poly(f) for f in (self.under, *self.tops))
@@ -81,8 +83,7 @@ class Conjugates(RealNumbers):
     @cached_property
     def exact(self) -> list[Expr]:
         """The real roots as expressions, in the same order."""
-        roots = roots_of_factor(self.polynomial)
-        return in_order(roots) if self.polynomial.degree() < 3 else roots
+        return roots_of_factor(self.polynomial)
 
     @cached_property
     def short(self) -> tuple[list[fmpq_poly], fmpq_poly]:
@@ -121,6 +122,12 @@ class FieldNumbers(Sequence[Expr]):
     def __len__(self) -> int:
         return len(self.places)
 
+    def __eq__(self, other: object) -> bool:
+        return self is other or isinstance(other, Sequence) and tuple(self) == tuple(other)
+
+    def __hash__(self) -> int:
+        return hash(tuple(self))
+
     @overload
     def __getitem__(self, n: int) -> Expr: ...
 
@@ -150,6 +157,14 @@ class FieldNumbers(Sequence[Expr]):
     def over(self, divisor: Expr) -> "FieldNumbers":
         """Return each number divided by an exact one."""
         return FieldNumbers(self.conjugates, self.root, [(place, x / divisor) for place, x in self.places])
+
+
+def are_fractions(numbers: Sequence[Expr]) -> bool:
+    """Tell whether all numbers are fractions; such lists need no expressions for that."""
+    if isinstance(numbers, FieldNumbers):
+        return all(isinstance(factor, Rational) and numbers.is_fraction(n)
+                   for n, (_, factor) in enumerate(numbers.places))
+    return all(isinstance(x, Rational) for x in numbers)
 
 
 def balls(numbers: Sequence[Expr], precision: int) -> list[arb]:

@@ -5,21 +5,19 @@ continued fractions: hours for roots that are 10⁻¹⁵ apart, or of the size 1
 once.
 """
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from typing import Any
 
-from flint import fmpz_poly
+from flint import arb, fmpz_poly
 from sympy import CRootOf, Expr, Poly, PurePoly, Rational, Symbol
 from sympy.polys import rootoftools
 from sympy.polys.domains import QQ, ZZ
 from sympy.polys.rootisolation import RealInterval
 
 from ...errors import ScopeError
-from ..enclosures.algebraic import over_integers
+from ..enclosures.algebraic import over_integers, real_roots_of
 from ..enclosures.balls import ends
-from ..enclosures.precision import own_precision
-from ..enclosures.real_roots import isolated_roots
 
-BITS = 256                                             # of a root that SymPy is lent
 APART = 600                                            # bits, for each root
 DIFFERENT = ("these numbers are of so different sizes that equilibria, or the quantities that decide their "
              "stability, are no longer told apart: leave out what is far too small to matter, or make "
@@ -49,12 +47,10 @@ def roots_of(coefficients: Sequence[Rational]) -> list[Expr]:
     """
     unit = Rational(10) ** _order(coefficients[0] / coefficients[-1], len(coefficients) - 1)
     near = Poly([a * unit**n for n, a in enumerate(coefficients)][::-1], Symbol("x"))
-    whole = over_integers(near)
-    refuse_close(whole)
-    found = [CRootOf(near, n) for n in range(len(isolated_roots(whole)))]
-    for root in {root for number in found for root in number.atoms(CRootOf)}:
-        _lend(root.poly)
-    return [unit * number for number in found]
+    refuse_close(over_integers(near))
+    factor, first = CRootOf(near, 0).as_coeff_Mul()        # for each that it makes SymPy factors once more
+    _lend(first.poly)
+    return [unit * (factor * CRootOf._new(first.poly, n)) for n in range(len(real_roots_of(first.poly)))]
 
 
 def _order(product: Rational, degree: int) -> int:
@@ -105,9 +101,22 @@ def refuse_touching(polynomial: fmpz_poly) -> None:
 def _lend(poly: PurePoly) -> None:
     """Give SymPy the isolating intervals of the real roots, if it has not found them itself."""
     known = rootoftools._reals_cache
-    if poly in known:
-        return
-    with own_precision(BITS):
-        roots = isolated_roots(over_integers(poly))
-    known[poly] = [RealInterval(tuple(QQ(x.numerator, x.denominator) for x in ends(root)), poly.rep.to_list(),
-                                ZZ) for root in roots]
+    if poly not in known:
+        known[poly] = _Intervals(poly)
+
+
+class _Intervals(list[Any]):
+    """SymPy's isolating intervals of the real roots of a polynomial, each made when SymPy asks for it."""
+
+    def __init__(self, poly: PurePoly):
+        super().__init__(real_roots_of(poly))
+        self._poly = poly
+
+    def __getitem__(self, n: Any) -> Any:
+        if isinstance(found := super().__getitem__(n), arb):
+            found = self[n] = RealInterval(tuple(QQ(x.numerator, x.denominator) for x in ends(found)),
+                                           self._poly.rep.to_list(), ZZ)
+        return found
+
+    def __iter__(self) -> Iterator[RealInterval]:
+        return (self[n] for n in range(len(self)))

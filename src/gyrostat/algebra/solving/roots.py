@@ -230,6 +230,8 @@ def roots_of_polynomial(polynomial: fmpq_poly) -> list[Expr]:
 
 
 def roots_of_factor(factor: fmpq_poly) -> list[Expr]:
-    """Return the real roots of an irreducible polynomial."""
+    """Return the real roots of an irreducible polynomial, in increasing order."""
     c = list(map(to_sympy, factor.coeffs()))
-    return _solved(c) if len(c) <= 3 else roots_of(c)
+    if len(c) > 3:
+        return roots_of(c)
+    return _solved(c)[::1 if c[-1] > 0 else -1]

@@ -3,9 +3,10 @@
 sum     := product (('+' | '-') product)*
 product := factor (('*' | '/') factor)*
 factor  := ('+' | '-') factor | atom ['**' factor]
-atom    := number | name | function '(' sum ')' | '(' sum ')'
+atom    := number | name | function '(' sum ['deg'] ')' | '(' sum ')'
 
-The scanner reads ^ as **, x² as x**(2), √x as sqrt(x) and Greek names as their words.
+The scanner reads ^ as **, x² as x**(2), √x as sqrt(x), ° as deg and Greek names as their words. Degrees stand
+in sin, cos and tan alone.
 """
 import operator
 import re
@@ -27,6 +28,7 @@ from .limits import Limited
 _MEANT = {"ln": "log", "arcsin": "asin", "arccos": "acos", "arctan": "atan", "arcsinh": "asinh",
           "arccosh": "acosh", "arctanh": "atanh", "arsinh": "asinh", "arcosh": "acosh", "artanh": "atanh",
           "arctg": "atan", "tg": "tan", "sh": "sinh", "ch": "cosh", "th": "tanh"}
+TRIGONOMETRIC = ("sin", "cos", "tan")                  # of an angle, which may be in degrees
 
 
 class Parser(Limited):
@@ -67,14 +69,17 @@ class Parser(Limited):
             right = self.factor()
             if sign == "/":
                 right = self.power(right, Rational(-1))
-            for one, other in ((left, right), (right, left)):
-                if one.doubtful and other.ball is None:
-                    self.fail("a factor cannot be told from 0", "simplify the constants")
-            cost = self.checked(bounded_parts.of_product([left.cost, right.cost]))
-            ball = magnitudes.multiplied(left.ball, right.ball)
-            left = self.bounded(self.made(operator.mul, left.value, right.value), cost,
-                                max(left.nesting, right.nesting), ball)
+            left = self.times(left, right)
         return left
+
+    def times(self, left: Part, right: Part) -> Part:
+        for one, other in ((left, right), (right, left)):
+            if one.doubtful and other.ball is None:
+                self.fail("a factor cannot be told from 0", "simplify the constants")
+        cost = self.checked(bounded_parts.of_product([left.cost, right.cost]))
+        ball = magnitudes.multiplied(left.ball, right.ball)
+        return self.bounded(self.made(operator.mul, left.value, right.value), cost,
+                            max(left.nesting, right.nesting), ball)
 
     def factor(self) -> Part:
         self.deeper()
@@ -125,12 +130,14 @@ class Parser(Limited):
         if kind == "name":
             return self.call(token) if self.peek() == "(" else self.named(token)
         if token == "(":
-            part = self.sum()
-            if not self.take(")"):
-                self.fail("a closing parenthesis is missing", "close what you opened")
-            return part
+            return self.closed(self.sum())
         self.fail(f"{token!r} stands where a number or a name should be" if token else "it ends too early",
                   "complete the expression")
+
+    def closed(self, part: Part) -> Part:
+        if not self.take(")"):
+            self.fail("a closing parenthesis is missing", "close what you opened")
+        return part
 
     def number(self, token: str) -> Part:
         if len(token) > 400 or abs(int(re.split("[eE]", token)[1]) if re.search("[eE]", token) else 0) > 400:
@@ -150,7 +157,14 @@ class Parser(Limited):
         if token not in FUNCTIONS:
             self.fail(*self.no_function(token))
         self.called()
-        return self.apply(token, self.atom())
+        if token not in TRIGONOMETRIC:
+            return self.apply(token, self.atom())
+        self.take("(")
+        angle = self.sum()
+        if self.take("deg"):
+            degree = sympy.pi / 180
+            angle = self.times(angle, Part(degree, ball=bounded_parts.enclosure(degree)))
+        return self.apply(token, self.closed(angle))
 
     def no_function(self, token: str) -> tuple[str, str]:
         """Return why a name is no function, and what to write: of the time, of k, or another one."""

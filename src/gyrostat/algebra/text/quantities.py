@@ -10,37 +10,40 @@ from functools import lru_cache
 from types import MappingProxyType
 from typing import Any
 
-from sympy import Expr, Mul, Pow, S
+from sympy import Expr, Mul, Pow, Rational, S
 
 from ...errors import ExpressionError, ValuesError, brief
-from ...notation import NOTATION, Use
+from ...notation import REGISTRY, Use, jet
 from ...registry import free_letters, use_of
 from .grammar import Parser
 from .scanner import numeral
-from .units import INERTIA, LENGTH, MASS, MOMENTUM, NONE, RATE, TIME, TORQUE, UNITS, Dimension, unit
+from .units import ANGLE, INERTIA, LENGTH, MASS, MOMENTUM, NONE, RATE, TIME, TORQUE, UNITS, Dimension, unit
 
 POWER, FACTORS = 9, 8                                  # of a unit, and of units, at most
 
-# of what is not in the table of notation
+_TABLE = MappingProxyType({entry.name: entry for entry in REGISTRY if entry.use is not Use.PRINTED})
+# of what is not in the table of notation: arguments and options; damping is a torque by a rate
 _BESIDE = MappingProxyType({
     "inertia": INERTIA, "gyrostatic_momentum": MOMENTUM, "axial": INERTIA, "transverse": INERTIA,
-    "rate": RATE, "momentum": MOMENTUM, "M": MOMENTUM, "C1": MOMENTUM,
-    "energy": TORQUE, "axis": NONE, "orbit rate": RATE, "orbit mu": Dimension(0, 3, -2),
-    "orbit radius": LENGTH, "angle of roll": NONE, "angle of pitch": NONE, "angle of yaw": NONE,
-    "direction": NONE, "resolution": NONE, "sizes": NONE, "l/(I_pitch ω0)": NONE, "t": TIME,
-    "transverse rate": RATE, "axial rate": RATE, "--transverse": RATE, "--axial": RATE, "mass": MASS,
-    "coupling": Dimension(1, 1, 0), "--energy": TORQUE, "--momentum": MOMENTUM, "--until": TIME,
-    "--step": TIME})
+    "rate": RATE, "momentum": MOMENTUM, "axis": NONE, "orbit rate": RATE, "orbit mu": Dimension(0, 3, -2),
+    "orbit radius": LENGTH, "orbit height": LENGTH, "orbit period": TIME, "angle of roll": ANGLE,
+    "angle of pitch": ANGLE, "angle of yaw": ANGLE, "direction": NONE, "resolution": NONE, "sizes": NONE,
+    "l/(I_pitch ω0)": NONE, "transverse rate": RATE, "axial rate": RATE, "--transverse": RATE,
+    "--axial": RATE, "mass": MASS, "coupling": Dimension(1, 1, 0), "--energy": TORQUE,
+    "--momentum": MOMENTUM, "--until": TIME, "--step": TIME, "--tolerance": NONE, "U": TORQUE, "drift": RATE,
+    "torque": TORQUE, "weight": TORQUE,
+    "platform_damping": Dimension(1, 2, -1, -1), "rotor_damping": Dimension(1, 2, -1, -1)})
 
 
 @lru_cache(maxsize=512)
 def dimension_of(name: str) -> Dimension | None:
     """Return the dimension of a name; None for a parameter of the user, which may be anything."""
-    entry = NOTATION.get(name)
+    bare = name.partition("[")[0]                      # of an array: I1[0]
+    entry = _TABLE.get(bare)
     if entry is None:
-        return _BESIDE.get(name, _BESIDE.get(name.partition(" of ")[0]))       # inertia of a named body
+        return TORQUE if jet(bare) else _BESIDE.get(bare.partition(" of ")[0], _BESIDE.get(bare))
     energy, rate = entry.dimension
-    return Dimension(energy, 2 * energy + entry.length, -rate)
+    return ANGLE if entry.use is Use.ANGLE else Dimension(energy, 2 * energy + entry.length, -rate)
 
 
 class _Quantity(Parser):
@@ -61,7 +64,7 @@ class _Quantity(Parser):
 
     def units(self) -> tuple[Expr, Dimension]:
         """Parse a product of units, each a power; a name after another one is a factor."""
-        factor, powers, sign = S.One, [0, 0, 0], 1
+        factor, powers, sign = S.One, [0, 0, 0, 0], 1
         for _ in range(FACTORS):
             size, dimension = self.unit()
             power = sign * (self.exponent() if self.take("**") else 1)
@@ -97,7 +100,7 @@ class _Quantity(Parser):
 
 
 @lru_cache(maxsize=256)
-def _units_in(text: str) -> tuple[Expr, Dimension | None] | None:
+def units_in(text: str) -> tuple[Expr, Dimension | None] | None:
     """Return the product of units that a text is, and its dimension; None if it is none."""
     try:
         return _Quantity(f"1 {text}").quantity()
@@ -136,7 +139,7 @@ def quantity(text: str) -> tuple[Expr, Dimension | None]:
         number, after = plain
         if not after:
             return number, None
-        if (units := _units_in(after)) is not None:
+        if (units := units_in(after)) is not None:
             factor, dimension = units
             return number * factor, dimension
     return _Quantity(text).quantity()
@@ -159,14 +162,17 @@ def in_si(value: Any, name: str) -> tuple[Expr, bool]:
     number, dimension = quantity(value)
     if dimension is None:
         return number, False
-    if (wanted := dimension_of(name)) not in (None, dimension):
-        what = f"{name} ({NOTATION[name].meaning})" if name in NOTATION else name
-        free = free_letters([name], {name})[name]
-        own = (f", or write another letter for a number of your own, such as {free}"
-               if use_of(name) in (Use.FIELD, Use.LEVEL) else "")
-        raise ValuesError(f"{name} = {brief(value)[1:-1]} is a number of {dimension}, but {what} is one of "
-                          f"{wanted}: give it in a unit of that kind{own}")
-    return number, True
+    wanted = dimension_of(name)
+    if wanted is None or wanted != NONE and dimension.fits(wanted):
+        return number, True
+    given = f"{name} = {brief(value)[1:-1]} is a number of {dimension}, but"
+    what = f"{name} ({_TABLE[name].meaning})" if name in _TABLE else name
+    if wanted == NONE:
+        raise ValuesError(f"{given} {what} is one without a unit: leave the unit out")
+    free = free_letters([name], {name})[name]
+    own = (f", or write another letter for a number of your own, such as {free}"
+           if use_of(name) in (Use.FIELD, Use.LEVEL) else "")
+    raise ValuesError(f"{given} {what} is one of {wanted}: give it in a unit of that kind{own}")
 
 
 def text_of(value: Any) -> Any:
@@ -174,6 +180,12 @@ def text_of(value: Any) -> Any:
     if hasattr(value, "magnitude") and hasattr(value, "units"):
         return f"{value.magnitude} {value.units:~C}"
     return value
+
+
+def has_unit(value: Any) -> bool:
+    """Tell whether a text, or the quantity of a library, has a unit."""
+    text = text_of(value)
+    return isinstance(text, str) and quantity(text)[1] is not None
 
 
 def not_mixed(entries: Iterable[tuple[str, Any]]) -> None:
@@ -189,11 +201,11 @@ def not_mixed(entries: Iterable[tuple[str, Any]]) -> None:
     ValuesError
         some have a unit, and some that should have one have none
     """
-    given = [(name, text_of(value)) for name, value in entries]
+    given = [(name, value if isinstance(value, Rational) else text_of(value)) for name, value in entries]
     if not any(isinstance(value, str) for _, value in given):
         return
     known = [(name, value, *(quantity(value) if isinstance(value, str) else (value, None)))
-             for name, value in given if dimension_of(name) not in (None, NONE)]
+             for name, value in given if dimension_of(name) not in (None, NONE, ANGLE)]
     named = next((f"{name} = {brief(value)}" for name, value, _, unit in known if unit), None)
     if named is None:
         return

@@ -8,15 +8,15 @@ from sympy import Rational
 from ...errors import ExpressionError, brief
 from .spelling import NAME, RAISED, SIGNS, character, lowered, spelled
 
-ROOT, PRIMES = "√", "'′″‴’"
-_TOKEN = re.compile(rf"\s*(?:(?P<number>(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)|(?P<name>{NAME})"
+ROOT, PRIMES, DEGREE = "√", "'′″‴’", "°"
+_TOKEN = re.compile(rf"\s*(?:(?P<number>(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)|(?P<name>{NAME}|{DEGREE})"
                     rf"|(?P<raised>{RAISED})|(?P<sign>\*\*|[-+*/(){''.join(SIGNS)}{ROOT}]))", re.ASCII)
 # characters of a text: with exponents below 100 numerator and denominator have less than 600 bits, and the
 # grammar allows 4000
 SHORT = 60
 # possessive, so that 5e123 is not read as 5 and a unit e123
 _NUMERAL = re.compile(r"\s*+([-+]?)\s*+(?:(\d++)\.?+(\d*+)|\.(\d++))(?:[eE]([-+]?\d{1,2}+))?+"
-                      r"(?:\s*+/\s*+(\d++))?+\s*+([A-Za-z].*+)?", re.ASCII)
+                      r"(?:\s*+/\s*+(\d++))?+\s*+([A-Za-z°].*+)?", re.ASCII)
 Token = tuple[str, str]                                # kind and text
 END: Token = ("end", "")
 
@@ -94,6 +94,8 @@ class Scanner:
 
 
 def _ascii(kind: str, text: str) -> Token:
+    if text == DEGREE:
+        return kind, "deg"
     return kind, spelled(text) if kind == "name" else SIGNS.get(text, text)
 
 

@@ -5,19 +5,33 @@ from sympy import Expr, Integer, Pow, Rational, S, pi
 
 
 class Dimension(NamedTuple):
-    """The powers of mass, length and time in a quantity."""
+    """The powers of mass, length and time in a quantity, and of an angle, if a unit names one."""
 
     mass: int
     length: int
     time: int
+    angle: int = 0
 
     def __str__(self) -> str:
-        """Return the unit in SI; an angle is a pure number."""
+        """Return the unit in SI."""
         return " ".join(f"{name}^{power}" if power != 1 else name
-                        for name, power in zip(("kg", "m", "s"), self) if power) or "rad, or none"
+                        for name, power in zip(("kg", "m", "s", "rad"), self) if power) or "1"
+
+    def fits(self, wanted: "Dimension") -> bool:
+        """Tell whether a quantity of this dimension is one of another.
+
+        An angle is a pure number, so that each 1/s may be a rad/s: 3 N m s is 3 kg m^2 rad/s. But no moment
+        of inertia is in kg m^2 deg, and no period in min/rev.
+
+        Examples
+        --------
+        >>> Dimension(0, 0, -1, 1).fits(RATE), Dimension(0, 0, 1, -1).fits(TIME), ANGLE.fits(NONE)
+        (True, False, False)
+        """
+        return self[:3] == wanted[:3] and wanted.angle <= self.angle <= max(wanted.angle, -wanted.time)
 
 
-NONE = Dimension(0, 0, 0)
+NONE, ANGLE = Dimension(0, 0, 0), Dimension(0, 0, 0, 1)
 MASS, LENGTH, TIME = Dimension(1, 0, 0), Dimension(0, 1, 0), Dimension(0, 0, 1)
 RATE = Dimension(0, 0, -1)
 INERTIA, MOMENTUM, TORQUE = Dimension(1, 2, 0), Dimension(1, 2, -1), Dimension(1, 2, -2)
@@ -26,11 +40,12 @@ _FOOT, _POUND, _GRAVITY = Rational("0.3048"), Rational("0.45359237"), Rational("
 # for each its SI number, exact, its dimension, and whether it takes the prefixes of SI
 UNITS: dict[str, tuple[Expr, Dimension, bool]] = {
     "g": (Rational(1, 1000), MASS, True), "m": (S.One, LENGTH, True), "s": (S.One, TIME, True),
-    "rad": (S.One, NONE, True), "N": (S.One, FORCE, True), "J": (S.One, TORQUE, True),
+    "rad": (S.One, ANGLE, True), "N": (S.One, FORCE, True), "J": (S.One, TORQUE, True),
     "W": (S.One, Dimension(1, 2, -3), True), "Nm": (S.One, TORQUE, True), "Nms": (S.One, MOMENTUM, True),
     "min": (Integer(60), TIME, False), "h": (Integer(3600), TIME, False),
-    "deg": (pi / 180, NONE, False), "arcmin": (pi / 10800, NONE, False), "arcsec": (pi / 648000, NONE, False),
-    "rev": (2 * pi, NONE, False), "rpm": (pi / 30, RATE, False),
+    "day": (Integer(86400), TIME, False), "deg": (pi / 180, ANGLE, False),
+    "arcmin": (pi / 10800, ANGLE, False), "arcsec": (pi / 648000, ANGLE, False),
+    "rev": (2 * pi, ANGLE, False), "rpm": (pi / 30, RATE._replace(angle=1), False),
     "in": (_FOOT / 12, LENGTH, False), "ft": (_FOOT, LENGTH, False), "lb": (_POUND, MASS, False),
     "lbf": (_POUND * _GRAVITY, FORCE, False), "slug": (_POUND * _GRAVITY / _FOOT, MASS, False)}
 _WORDS = {"gram": "g", "kilogram": "kg", "meter": "m", "metre": "m", "second": "s", "radian": "rad",

@@ -3,9 +3,15 @@ from sympy import Expr
 
 from ...algebra.text.inputs import name_of, unknown_letter
 from ...algebra.text.numbers import exact_number
+from ...algebra.text.tensors import rows_of
 from ...errors import ValuesError, brief
 
 LONGEST = 10**7                                        # values of an axis, rows of a table
+
+
+def ends_of(text: str) -> list[str]:
+    """The texts of both ends of an axis; a unit after the second alone is that of both."""
+    return [str(end) for end in rows_of(",".join(text.partition("=")[2].split(":")[:2]))]
 
 
 def axis_of(option: str, text: str, form: str = "NAME=LOW:HIGH:COUNT",
@@ -22,5 +28,5 @@ def axis_of(option: str, text: str, form: str = "NAME=LOW:HIGH:COUNT",
     if ends[2:] and (not ends[2].isdecimal() or len(ends[2]) > 20 or not 2 <= int(ends[2]) <= LONGEST):
         raise ValuesError(f"{option} has the COUNT {brief(ends[2])[1:-1]}: give a whole number, 2 to "
                           f"{LONGEST}; one value goes to --set")
-    low, high = (exact_number(end, name) for end in ends[:2])
+    low, high = (exact_number(end, name) for end in ends_of(text))
     return name, low, high, int(ends[2]) if ends[2:] else count

@@ -6,18 +6,28 @@ from pathlib import Path
 from typing import Any
 
 from ...algebra.text.inputs import name_of, toml_of
+from ...algebra.text.quantities import not_mixed
 from ...algebra.text.spelling import names_in
 from ...errors import GyrostatError, PublishedError, ValuesError, brief
 from ...mechanics.families.scene_tables import SceneTable, scene_tables
 from ...questions.given_numbers import SPINS, numbers_of, unless_given
-from ...questions.scene_texts import BODY, Asked, entries_of, text_of
+from ...questions.scene_texts import (
+    BODY,
+    REPEATED,
+    Asked,
+    asked_value,
+    entries_of,
+    table_of,
+    text_of,
+)
+from .axis_option import ends_of
 
 # keys for which there is an option of the same name
-TEXTS = (*BODY, "spin", "eliminate", "point", "state", "integrals", "orbit", "pointing",
-         "direction", "release")
-REPEATED = ("integrals",)                              # texts of an option that may be repeated
-# of each pair one is given; an option for one overrides the other in the file
+TEXTS = (*BODY, "products", "rotors", "lumped", "spin", "eliminate", "point", "state", "integrals", "orbit",
+         "pointing", "direction", "release")
+# of each group one is given; an option for one overrides the others in the file
 NAMING, STARTING = frozenset({"equilibrium", "point"}), frozenset({"state", "release"})
+TURNING = frozenset({"rotors", "gyrostatic_momentum", "lumped"})
 SEVERAL = ("report", "conditions")                     # verbs that take more than one --equilibrium
 
 
@@ -40,12 +50,16 @@ def with_scene(given: argparse.Namespace) -> argparse.Namespace:
         taken |= NAMING
     if STARTING & taken:
         taken |= STARTING
-    asked: dict[str, Any] = {name: table[name] if name in REPEATED else text_of(table[name])
+    if {"rotors", "gyrostatic_momentum"} & taken:
+        taken |= TURNING
+    if "inertia" in taken:
+        taken.add("products")
+    asked: dict[str, Any] = {name: asked_value(name, table[name])
                              for name in TEXTS if name in table and name in options.keys() | BODY
                              and name not in taken}
     if "equilibrium" in table and not taken & NAMING:
         asked["equilibrium"] = [table["equilibrium"]] if given.verb in SEVERAL else table["equilibrium"]
-    names = {*numbers_of(given.values), *_axes(given)}
+    names = {*numbers_of(given.values), *map(_name, _axes(given))}
     if SPINS & names:
         asked.pop("spin", None)
     left = _names(table[name] for name in TEXTS if name in table and name not in asked)
@@ -59,10 +73,14 @@ def with_scene(given: argparse.Namespace) -> argparse.Namespace:
 
 def asked_of(given: argparse.Namespace, names: Collection[str]) -> Asked:
     """What the options ask, with the body to which the names belong."""
-    texts = {entry.name: getattr(given, entry.name, None) for entry in fields(Asked)}
-    if texts["integrals"] is not None:
-        texts["integrals"] = tuple(texts["integrals"])
-    return Asked(**texts).of_body(names)
+    texts: dict[str, Any] = {entry.name: getattr(given, entry.name, None) for entry in fields(Asked)}
+    for name in REPEATED:
+        texts[name] = None if texts[name] is None else tuple(texts[name])
+    asked = Asked(**texts).of_body(names)
+    settings = [text.partition("=")[::2] for text in getattr(given, "values", ())]
+    not_mixed([*table_of(asked).quantities, *((name_of(name.strip()), x) for name, x in settings),
+               *((_name(text), end) for text in _axes(given) for end in ends_of(text))])
+    return asked
 
 
 def scene_of_file(place: str) -> SceneTable:
@@ -94,6 +112,11 @@ def _names(texts: Iterable[Any]) -> set[str]:
 
 
 def _axes(given: argparse.Namespace) -> list[str]:
-    """The names of the axes."""
+    """The texts of the axes."""
     texts = [getattr(given, "x", None), getattr(given, "y", None), *(getattr(given, "axis", None) or ())]
-    return [name_of(text.partition("=")[0].strip()) for text in texts if text is not None]
+    return [text for text in texts if text is not None]
+
+
+def _name(text: str) -> str:
+    """The name of an axis."""
+    return name_of(text.partition("=")[0].strip())

@@ -13,12 +13,24 @@ def scene_file(verb: argparse.ArgumentParser) -> None:
                       help="read the table [scene.NAME] of a TOML file, as gyrostat verify does, with "
                       "numbers in values; options override the file")
     verb.add_argument("--inertia", metavar="I1,I2,I3",
-                      help=f"the principal moments, {THREE}, or a tensor, its rows separated by semicolons; "
-                      "default: I1,I1,I3, or I1,I2,I3 if I2 is set, if U contains k1 or k2, without a field, "
-                      "and in orbit")
+                      help=f"the principal moments, {THREE}, or a tensor, its rows in brackets or with "
+                      "semicolons between them; one unit may stand after all of it, '[[62.1, 1.3, -0.8], "
+                      "[1.3, 58, 0.2], [-0.8, 0.2, 30]] kg m^2'; default: I1,I1,I3, or I1,I2,I3 if I2 is "
+                      "set, if U contains k1 or k2, without a field, and in orbit")
+    verb.add_argument("--products", metavar="SIGN",
+                      help="the sign of the products of inertia in a tensor: negative for its entries, "
+                      "−∫ xy dm, positive for the integrals ∫ xy dm, as many CAD programs print them; "
+                      "default: negative")
     verb.add_argument("--gyrostatic-momentum", metavar="L1,L2,L3",
                       help=f"the momentum of the rotor, {THREE}; default: 0,0,l, in orbit l along the axis "
                       "of pitch, or l1,l2,l3 if one of them is set")
+    verb.add_argument("--wheel", metavar="TEXT", action="append", dest="rotors",
+                      help="instead of --gyrostatic-momentum: a wheel, 'axis=0,0,1 inertia=0.01 kg m^2 "
+                      "speed=3000 rpm', its inertia about its axis; speed= of a motor, or momentum= of a "
+                      "wheel that runs freely; may be repeated")
+    verb.add_argument("--lumped", choices=(True, False), type=_truth, metavar="TRUTH",
+                      help="whether the inertia includes the wheels, true or false; if not, each needs "
+                      "transverse=, its inertia across its axis; default: true")
 
 
 def integral(verb: argparse.ArgumentParser) -> None:
@@ -61,6 +73,13 @@ def an_equilibrium(verb: argparse.ArgumentParser, left_out: str, action: str = "
                       metavar="NAME", help=f"{in_words(families)}; {left_out}")
 
 
+def _truth(text: str) -> bool:
+    """Read true or false."""
+    if text not in ("true", "false"):
+        raise argparse.ArgumentTypeError(f"{text} is neither true nor false: give one of the two")
+    return text == "true"
+
+
 def _label(text: str) -> str:
     """Read the name of an equilibrium."""
     families = known_families()
@@ -79,10 +98,11 @@ def a_scene(verb: argparse.ArgumentParser, meaning: str,
                       help="U in k3, or in k1, k2, k3, and parameters: names, numbers, + - * / ^, "
                       f"parentheses, sqrt, exp, log, sin, …; {potential}")
     verb.add_argument("--orbit", metavar="RATE",
-                      help="the rate of a circular orbit: a name or a number, omega0 or '0.0011 rad/s', or "
-                      "'mu=398600.4418 km^3/s^2,radius=6778 km' (the radius is that of the Earth plus the "
-                      "height); U is then the potential of the gravity gradient, and --potential is what "
-                      "acts besides it, in n1, n2, n3, the normal, and r1, r2, r3, the vertical")
+                      help="a circular orbit: 'height=500 km' above the equator of the Earth, 'height=100 km "
+                      "body=moon' (or mars), 'period=95 min', 'mu=398600.4418 km^3/s^2 radius=6878 km', or "
+                      "its rate, a name or a number, omega0 or '0.0011 rad/s'; U is then the potential of "
+                      "the gravity gradient, and --potential is what acts besides it, in n1, n2, n3, the "
+                      "normal, and r1, r2, r3, the vertical")
     scene_file(verb)
     numbers(verb, meaning)
 

@@ -8,13 +8,13 @@ from ...algebra.text.units import unit
 from .scene_files import scene_of_file
 
 # a unit stands after a number, and a blank or none
-_AFTER_A_NUMBER = re.compile(r"[\d.)]\s*([A-Za-z_]+)")
-_OPTIONS = ("orbit", "inertia", "gyrostatic_momentum", "point", "state", "until", "step")
+_AFTER_A_NUMBER = re.compile(r"[\d.)\]]\s*([A-Za-z_]+)")
+_OPTIONS = ("orbit", "inertia", "gyrostatic_momentum", "rotors", "point", "state", "until", "step")
 
 
 def units_given(given: argparse.Namespace) -> bool:
     """Whether a number of the options, or of the file of --scene, has a unit."""
-    texts = [*(getattr(given, name, None) or "" for name in _OPTIONS), *given.values]
+    texts = [*_texts([getattr(given, name, None) for name in _OPTIONS]), *given.values]
     if getattr(given, "scene", None) is not None:
         texts += _texts(scene_of_file(given.scene).table)
     return any(unit(name) for text in texts for name in _AFTER_A_NUMBER.findall(text))

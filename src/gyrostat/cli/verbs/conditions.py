@@ -21,10 +21,10 @@ from ...questions.answers.between_criteria import between_blocks
 from ...questions.answers.condition_list import condition_list
 from ...questions.answers.equilibria import labels_of, some
 from ...questions.given_numbers import numbers_of
-from ...questions.scene_texts import Asked, scene_of
+from ...questions.scene_texts import Asked, scene_of, table_of
 from ...stability.criteria.number_notes import scene_note
 from ...stability.report.report import Report
-from ..options.scene_files import asked_of, scene_of_file, with_scene
+from ..options.scene_files import asked_of, with_scene
 from ..options.units_given import units_given
 from ..output import Output
 
@@ -39,9 +39,9 @@ def run(given: argparse.Namespace, out: Output) -> int:
     given = with_scene(given)
     numbers = numbers_of(given.values)
     dampings = given.platform_damping, given.rotor_damping
-    sink = None if dampings == (None, None) else loaded("questions.answers.energy_sink:sink_of")(
-        given.scene and scene_of_file(given.scene), dampings, numbers)
     asked = asked_of(given, {*numbers, given.solve_for})
+    sink = None if dampings == (None, None) else loaded("questions.answers.energy_sink:sink_of")(
+        table_of(asked), dampings, numbers)
     labels, others = labels_of(asked, given.equilibrium, numbers)
     some(labels, others)
     out.noted(scene_note(scene_of(asked), {symbol(name): x for name, x in numbers.items()}))

@@ -61,7 +61,7 @@ def rotations_on_sphere(scene: System, radius: Expr) -> list[FreeForm]:
     if isinstance(body.inertia, ImmutableMatrix):
         inside, size, unit = without_pi(Matrix(body.gyrostatic_momentum), radius)
         found = [FreeForm(scene, tuple(unit * x for x in M), nu, axis)
-                 for nu, M, axis in points_on_sphere(eye(3) - NU * body.tensor, inside, size, NU)]
+                 for (nu, *M), axis in points_on_sphere(eye(3) - NU * body.tensor, inside, size, NU)]
     else:
         found = list(_about_axes(scene, radius))
     return sorted(found, key=energy_and_momentum)

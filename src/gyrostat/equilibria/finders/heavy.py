@@ -57,8 +57,8 @@ def _at_rate(scene: System, omega: Expr) -> Iterator[HeavyForm]:
     linear, curved = _quadratic(scene)
     pencil = omega**2 * scene.body.tensor - curved + SIGMA * eye(3)
     vector = linear - omega * Matrix(scene.body.gyrostatic_momentum)
-    for _, k, circle in points_on_sphere(pencil, vector, S.One, SIGMA):
-        yield HeavyForm(scene, k, omega, circle)
+    for numbers, circle in points_on_sphere(pencil, vector, S.One, SIGMA):
+        yield HeavyForm(scene, numbers[1:], omega, circle)
 
 
 def _on_level(scene: System, level: Expr) -> list[HeavyForm]:

@@ -3,14 +3,15 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
+from flint import arb
 from sympy import Expr, Matrix, Rational, S, zeros
 
 from ..._cached import cached_property
 from ...algebra.enclosures.balls import ball
-from ...algebra.enclosures.precision import own_precision
+from ...algebra.enclosures.precision import doubled, own_precision
 from ...algebra.reals.exact import evaluate, proved_sign
 from ...algebra.rings.matrices import cross
-from ...algebra.solving.real_fields import FieldNumbers, balls
+from ...algebra.solving.real_fields import FieldNumbers, RealNumbers, are_fractions, balls
 from ...mechanics.equilibrium.near_pole import near_pole, refuse_rough
 from ...mechanics.scenes.system import System
 from ...notation import symbol
@@ -111,7 +112,7 @@ class HeavyForm(Form):
     @property
     def rational(self) -> bool:
         """Whether the spectrum is solved exactly: k and omega are rational."""
-        return all(isinstance(x, Rational) for x in (*self.k, self.omega))
+        return isinstance(self.omega, Rational) and are_fractions(self.k)
 
     def invariants(self, precision: int | None) -> Invariants:
         """Return trace and determinant of the second variation across k, and λ⁴ + p λ² + q."""
@@ -154,12 +155,12 @@ class HeavyForm(Form):
         """Return the decision by normal forms, if gyroscopic forces alone stabilise the rotation."""
         if self.scene.given_integrals:
             return None
-        inertia, U = self.scene.body.inverse.tolist(), self.scene.potential
+        body, U = self.scene.body, self.scene.potential
         assert U is not None
-        rotor = self._data.rotor
-        momentum = tuple(evaluate(x + l, {}) for x, l in zip(self.point, rotor))
-        return decide_window(LocalMotion(tuple(map(tuple, inertia)), tuple(rotor), tuple(self.k), momentum,
-                                         U.expression, self._coefficients))
+        momentum = FieldNumbers(_Momentum(self), 0, [(n, S.One) for n in range(3)])
+        return decide_window(LocalMotion(tuple(map(tuple, body.inverse.tolist())),
+                                         tuple(body.gyrostatic_momentum), self.k, momentum, U.expression,
+                                         self._coefficients))
 
     def _coefficients(self) -> tuple[Expr, Expr]:
         """Return p and q, exact."""
@@ -172,11 +173,33 @@ class HeavyForm(Form):
 
         With M × k = 0 the torque is 0 too, since ∇U × k = omega M × k.
         """
-        with own_precision(PRECISION):
-            k, (inertia, rotor, gradient, curved), omega = self.in_balls(PRECISION)
-            if not all(x.contains(0) for x in unreached(inertia, rotor, gradient, curved, k, omega)):
-                return True
+        for precision in doubled(PRECISION):
+            with own_precision(precision):
+                k, data, omega = self.in_balls(precision)
+                if not all(x.contains(0) for x in unreached(*data, k, omega)):
+                    return True
         return any(proved_sign(evaluate(x, {})) for x in unreached(*self._data, self.k, self.omega))
+
+
+class _Momentum(RealNumbers):
+    """The momentum M = omega Ik + l of a rotation, in balls, or as expressions."""
+
+    def __init__(self, form: HeavyForm):
+        self.form = form
+
+    def values(self, precision: int) -> list[list[arb]]:
+        """Return the enclosures of M."""
+        with own_precision(precision):
+            k, data, omega = self.form.in_balls(precision)
+            return [[omega * dot(row, k) + l for row, l in zip(data.inertia, data.rotor)]]
+
+    def expression(self, root: int, place: int) -> Expr:
+        """Return a component of M."""
+        return evaluate(self.form.point[place] + self.form.scene.body.gyrostatic_momentum[place], {})
+
+    def is_fraction(self, root: int, place: int) -> bool:
+        """Tell whether M is rational, for a rational tensor and a rational rotor: k and omega are."""
+        return self.form.rational
 
 
 def data_at(scene: System, k: Sequence[Expr]) -> Data:
@@ -208,6 +231,6 @@ def unreached(inertia: Sequence[Sequence[Any]], rotor: Sequence[Any], gradient: 
               curved: Sequence[Sequence[Any]], k: Sequence[Any], omega: Any) -> list[Any]:
     """Return M × k, and D²U − k·∇U between vectors across k."""
     M, along = [omega * dot(row, k) + l for row, l in zip(inertia, rotor)], dot(gradient, k)
-    rows = [[x - along * (n == m) for m, x in enumerate(row)] for n, row in enumerate(curved)]
+    rows = [[x - (along if n == m else 0) for m, x in enumerate(row)] for n, row in enumerate(curved)]
     columns = zip(*(cross(row, k) for row in rows))
     return [*cross(M, k), *(x for column in columns for x in cross(column, k))]

@@ -6,18 +6,19 @@ from collections.abc import Iterator, Sequence
 from functools import cache, reduce
 from typing import Any
 
-from flint import arb, arb_mat, fmpq, fmpq_mpoly
+from flint import arb, arb_mat, fmpq_mpoly
 from sympy import Expr, Matrix, Rational, S, Symbol, sqrt
 
 from ...algebra.enclosures.balls import ball
 from ...algebra.enclosures.precision import own_precision
 from ...algebra.reals.exact import evaluate, proved_sign
 from ...algebra.reals.number_fields import at_root, divided
+from ...algebra.rings.matrices import determinant
 from ...algebra.rings.polynomials import Ring
 from ...algebra.solving.common_points import CommonPoints
 from ...algebra.solving.pencils import points_on_sphere
 from ...algebra.solving.real_fields import FieldNumbers
-from ...algebra.solving.roots import in_order, real_roots, roots_of_factor
+from ...algebra.solving.roots import real_roots, roots_of_factor
 from ...errors import ScopeError
 from .level_rates import EPSILON, OMEGA, SIGMA, Field, LevelZeros, at_rate, in_omega, nothing_at, placed
 
@@ -88,27 +89,27 @@ def _across(field: Field, n: int, others: list[int]) -> Iterator[Found]:
 
 def _in_span(field: Field, axes: list[int]) -> Iterator[Found]:
     """Yield the rotations with k in the span of axes without a plane of symmetry."""
-    inertia, _, _, rotor, level = part = field.along(axes)
-    pencil, vector, size = part.pencil, part.vector, range(len(axes))
+    part, size = field.along(axes), range(len(axes))
+    inertia, curved, linear, rotor, level = part.in_flint
     ring = Ring([OMEGA, SIGMA, EPSILON])
-    above = [ring.numerator(x) for x in (pencil.adjugate() * vector).expand()]
-    below = ring.numerator(pencil.det(method="berkowitz").expand())
+    omega, sigma, epsilon = (ring.gens[x] for x in (OMEGA, SIGMA, EPSILON))
+    pencil = [[omega**2 * inertia[i][j] - curved[i][j] + sigma * int(i == j) for j in size] for i in size]
+    vector = [c - omega * l for c, l in zip(linear, rotor)]
+    # N k = b by Cramer's rule
+    above = [determinant(ring, [[*row[:n], b, *row[n + 1:]] for row, b in zip(pencil, vector)]) for n in size]
+    below = determinant(ring, pencil)
     shared = reduce(lambda f, g: f.gcd(g), above, below)   # as with two equal moments
     above, below = [x / shared for x in above], below / shared
     if below.gcd(shared) != shared:
         raise ScopeError(UNTOLD)
-    omega, sigma, epsilon = (ring.gens[x] for x in (OMEGA, SIGMA, EPSILON))
 
     def total(parts: Any) -> fmpq_mpoly:
         return sum(parts, ring.zero)
 
-    def number(x: Expr) -> fmpq:
-        return fmpq(int(x.p), int(x.q))
-
     length = total(x**2 for x in above) - below**2
-    moment = omega * total(number(inertia[i, j]) * above[i] * above[j] for i in size for j in size)
-    moment += below * total(number(rotor[i]) * above[i] for i in size) - number(level) * below**2
-    moment += number(level) * -length                      # 0 with length: lowers the degree in sigma
+    moment = omega * total(inertia[i][j] * above[i] * above[j] for i in size for j in size)
+    moment += below * total(l * x for l, x in zip(rotor, above)) - level * below**2
+    moment += level * -length                              # 0 with length: lowers the degree in sigma
     place, name = ring.generators.index(EPSILON), str(length.context().names()[ring.generators.index(SIGMA)])
     if not moment or not moment.degrees()[ring.generators.index(SIGMA)]:
         raise ScopeError(UNTOLD)
@@ -131,7 +132,7 @@ def _in_span(field: Field, axes: list[int]) -> Iterator[Found]:
                 part, -factor[0] / factor[1], *(at_rate(ring, x, -factor[0] / factor[1])
                                                 for x in (length, moment))):
             continue
-        if not (roots := in_order(roots_of_factor(factor))):
+        if not (roots := roots_of_factor(factor)):
             continue
         # if G vanishes at two roots α and β, the second derivatives give α β and (α + 1)(β + 1)
         twice = [in_omega(ring, x.derivative(place)) for x in changed()]
@@ -150,9 +151,9 @@ def _one_by_one(field: Field, root: Expr, axes: list[int]) -> Iterator[Found]:
     if not isinstance(root, Rational):
         raise ScopeError(UNTOLD)
     here = {OMEGA: root}
-    for _, k, circle in points_on_sphere(field.pencil.xreplace(here), field.vector.xreplace(here), S.One,
-                                         SIGMA):
-        at = Matrix(k)
+    for numbers, circle in points_on_sphere(field.pencil.xreplace(here), field.vector.xreplace(here), S.One,
+                                            SIGMA):
+        at = Matrix(k := tuple(numbers[1:]))
         if circle is not None and not _on_one_level(field, root, at, Matrix(circle)):
             raise ScopeError(UNTOLD)
         value = root * at.dot(field.inertia * at) + field.rotor.dot(at)

@@ -1,21 +1,22 @@
 """The rotations on a level over a factor of the resultant, in balls; and rates that have none there."""
 from collections.abc import Callable
-from math import prod
 from typing import NamedTuple
 
-from flint import arb, fmpq, fmpq_mat, fmpq_mpoly, fmpq_poly
+from flint import arb, arb_poly, fmpq, fmpq_mat, fmpq_mpoly, fmpq_poly
 from sympy import Expr, Matrix, S, eye
 
 from ..._cached import cached_property
+from ...algebra.enclosures.balls import ball
 from ...algebra.enclosures.precision import doubled, own_precision
 from ...algebra.enclosures.rationals import to_flint
 from ...algebra.reals.number_fields import at_root, divided, in_one
 from ...algebra.rings.polynomials import Ring, by_degree
 from ...algebra.solving.common_points import CommonPoints
 from ...algebra.solving.real_fields import BITS, RealNumbers
-from ...algebra.solving.roots import in_order, roots_of_factor
+from ...algebra.solving.roots import roots_of_factor
 from ...notation import symbol
 
+TOLD = arb(2) ** -64                                       # the radius of k by which rotations are sorted
 OMEGA, SIGMA, EPSILON = symbol("omega"), symbol("sigma"), symbol("epsilon")
 
 
@@ -35,6 +36,13 @@ class Field(NamedTuple):
         return Field(I.extract(*within), Q.extract(*within), c.extract(*parts), l.extract(*parts), level)
 
     @property
+    def in_flint(self) -> tuple[list[list[fmpq]], list[list[fmpq]], list[fmpq], list[fmpq], fmpq]:
+        """The same numbers, which are rational, for FLINT: two matrices, two vectors and C1."""
+        rows = [[list(map(to_flint, row)) for row in m.tolist()] for m in self[:2]]
+        vectors = [list(map(to_flint, v)) for v in self[2:4]]
+        return rows[0], rows[1], vectors[0], vectors[1], to_flint(self.level)
+
+    @property
     def pencil(self) -> Matrix:
         return OMEGA**2 * self.inertia - self.curved + SIGMA * eye(len(self.linear))
 
@@ -50,31 +58,35 @@ class LevelZeros(RealNumbers):
                  below: fmpq_mpoly, changed: Callable[[], list[fmpq_mpoly]], axes: list[int]):
         self.met, self.factor, self.ring, self.above, self.below = met, factor, ring, above, below
         self.changed, self.axes = changed, axes
-        self._values: dict[int, list[list[arb]]] = {}
+        self._parts = [in_sigma(ring, f) for f in (below, *above)]
+        self._least, self._values = BITS, dict[int, list[list[arb]]]()
 
     @cached_property
     def rates(self) -> list[Expr]:
         """The roots, exact, in increasing order."""
-        return in_order(roots_of_factor(self.factor))
+        return roots_of_factor(self.factor)
 
     @property
     def told(self) -> bool:
-        """Whether det N is proved not to vanish at any of them."""
-        return any(all(x.is_finite() for k in self.values(precision) for x in k)
-                   for precision in doubled(BITS))
+        """Whether k is told at all of them: det N ≠ 0. From then on enclosures have as many bits."""
+        for precision in doubled(BITS):
+            if all(x.rad() < TOLD for k in self.values(precision) for x in k):
+                self._least = precision
+                return True
+        return False
 
     def values(self, precision: int) -> list[list[arb]]:
         """Return enclosures of k for each root."""
+        precision = max(precision, self._least)
         if precision not in self._values:
             with own_precision(precision):
-                points = self.met.points(precision, self.factor)
-                self._values[precision] = [self._at(omega, sigma) for sigma, omega in points]
+                rates = [ball(rate, precision) for rate in self.rates]
+                sigmas = self.met.over(rates, precision)
+                self._values[precision] = [self._at(*found) for found in zip(rates, sigmas)]
         return self._values[precision]
 
     def _at(self, omega: arb, sigma: arb) -> list[arb]:
-        at = [omega if g == OMEGA else sigma if g == SIGMA else arb(0) for g in self.ring.generators]
-        under, *tops = (sum((prod((x for x, n in zip(at, e) for _ in range(int(n))), start=arb(c))
-                             for e, c in f.to_dict().items()), arb(0)) for f in (self.below, *self.above))
+        under, *tops = (arb_poly([arb_poly(part)(omega) for part in parts])(sigma) for parts in self._parts)
         given = dict(zip(self.axes, tops))
         return [given[n] / under if n in given else arb(0) for n in range(3)]
 
@@ -103,9 +115,7 @@ class LevelZeros(RealNumbers):
 
 def at_rate(ring: Ring, polynomial: fmpq_mpoly, rate: fmpq) -> fmpq_poly:
     """Return a polynomial at a rate as one in sigma."""
-    place = ring.generators.index(SIGMA)
-    return fmpq_poly([in_omega(ring, part)(rate)
-                      for part in by_degree(polynomial, place, polynomial.degrees()[place])])
+    return fmpq_poly([part(rate) for part in in_sigma(ring, polynomial)])
 
 
 def nothing_at(field: Field, rate: fmpq, length: fmpq_poly, moment: fmpq_poly) -> bool:
@@ -151,10 +161,15 @@ def in_omega(ring: Ring, polynomial: fmpq_mpoly) -> fmpq_poly:
     return in_one(polynomial, ring.generators.index(OMEGA))
 
 
+def in_sigma(ring: Ring, polynomial: fmpq_mpoly) -> list[fmpq_poly]:
+    """Return the coefficients of the powers of sigma, polynomials in omega."""
+    place = ring.generators.index(SIGMA)
+    return [in_omega(ring, part) for part in by_degree(polynomial, place, polynomial.degrees()[place])]
+
+
 def placed(ring: Ring, polynomial: fmpq_mpoly, s: fmpq_poly, modulus: fmpq_poly) -> fmpq_poly:
     """Insert s for sigma, modulo a polynomial."""
-    place = ring.generators.index(SIGMA)
     value = fmpq_poly([0])
-    for part in reversed(by_degree(polynomial, place, polynomial.degrees()[place])):
-        value = (value * s + in_omega(ring, part)) % modulus
+    for part in reversed(in_sigma(ring, polynomial)):
+        value = (value * s + part) % modulus
     return value

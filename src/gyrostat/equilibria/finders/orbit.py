@@ -2,13 +2,13 @@
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
-from sympy import Add, Expr, Rational, S, sqrt
+from sympy import Add, Expr, ImmutableMatrix, Rational, S, sqrt
 
+from ..._lazy import loaded
 from ...algebra.reals.exact import evaluate, proved_sign
 from ...algebra.rings.matrices import cross
 from ...algebra.solving.real_fields import FieldNumbers
 from ...algebra.solving.sphere_zeros import zeros_on_sphere
-from ...algebra.text.numbers import shown
 from ...errors import ScopeError, ValuesError
 from ...mechanics.families.circular_orbit import NORMAL, VERTICAL, by_gradient_alone, orbital_rate
 from ...mechanics.scenes.system import System, at_numbers, names_of_scene
@@ -18,6 +18,7 @@ from .rate_level_tilt import exact_point
 
 N, R = (tuple(symbol(f"{x}{i}") for i in (1, 2, 3)) for x in (NORMAL, VERTICAL))
 CURVE = "a closed curve of equilibria, (l·r)² = 16 ω0² abs(r × Ir)²"
+ANY_FIELD = "equilibria.finders.orbit_torques:attitude_forms"
 SIDES = S.One, S.NegativeOne
 Vector = tuple[Expr, Expr, Expr]
 
@@ -30,16 +31,21 @@ def orbit_forms(scene: System, values: Mapping[str, Any]) -> list[OrbitalForm]:
     quartic, and n = (Ir − (r·Ir) r)/b, b = −r·l/(4 ω0); with r·l = 0 it is along a principal axis, and n
     turns about it. Derived in docs/explanation/derivations/satellite.md, section 7.
     """
-    if not by_gradient_alone(scene):
-        raise ScopeError("another field acts beside the gravity gradient, or a rotor is free, and no "
-                         "complete list is proved for such a scene: give an attitude, steady_motion(scene, "
-                         "n, r)")
     needed = {s.name for s in names_of_scene(scene)}
     numbers = exact_point(scene, values, needed)
     if missing := sorted(needed - values.keys()):
         raise ValuesError(f"the scene needs {', '.join(missing)}: give a number for each")
     here = at_numbers(scene, dict(numbers))
+    if not by_gradient_alone(here):
+        return loaded(ANY_FIELD)(here)
     rotor = [evaluate(x / orbital_rate(here), {}) for x in here.body.gyrostatic_momentum]
+    if isinstance(here.body.inertia, ImmutableMatrix):
+        if (found := _direction(here, rotor)) is None:
+            return loaded(ANY_FIELD)(here)
+        direction, scale = found
+        turned = here.body.tensor * ImmutableMatrix(direction)
+        across = ImmutableMatrix([direction, list(turned), list(here.body.tensor * turned)]).det()
+        return list(_tilted(here, direction, scale)) if across else loaded(ANY_FIELD)(here)
     along = [i for i, x in enumerate(rotor) if x != 0]
     axis = _axis_of_symmetry(here.body.moments)
     if axis is not None and along in ([], [axis]):
@@ -47,16 +53,24 @@ def orbit_forms(scene: System, values: Mapping[str, Any]) -> list[OrbitalForm]:
     if len(along) < 2:
         place = (along or [0])[0]
         return list(along_an_axis(here, place, rotor[place]))
-    scale = rotor[along[0]]
+    if (found := _direction(here, rotor)) is None:
+        return loaded(ANY_FIELD)(here)
+    direction, scale = found
+    return [*_tilted(here, direction, scale), *_principal(here, direction, scale, axis)]
+
+
+def _direction(scene: System, rotor: Sequence[Expr]) -> tuple[list[Expr], Expr] | None:
+    """Return the rotor over ω0 as a rational vector and a factor, 1 or the root of a rational number.
+
+    None if it is none, or a moment is not rational.
+    """
+    scale = next((x for x in rotor if x != 0), S.One)
     if isinstance(scale, Rational):
         scale = S.One
-    direction = [evaluate(x / scale, {}) for x in rotor]
-    if not all(isinstance(x, Rational) for x in (*here.body.moments, *direction, evaluate(scale**2, {}))):
-        raise ScopeError("if the rotor is along no principal axis, all equilibria are found at rational "
-                         "moments and a rational l/omega0 (or one square root times that); here they are "
-                         f"({', '.join(map(shown, here.body.moments))}) and "
-                         f"({', '.join(map(shown, rotor))}): give the moments and l as decimals")
-    return [*_tilted(here, direction, scale), *_principal(here, direction, scale, axis)]
+    direction, numbers = [evaluate(x / scale, {}) for x in rotor], scene.body.entries
+    if not all(isinstance(x, Rational) for x in (*numbers, *direction, evaluate(scale**2, {}))):
+        return None
+    return direction, scale
 
 
 def _axis_of_symmetry(moments: Sequence[Expr]) -> int | None:
@@ -71,11 +85,10 @@ def _axis_of_symmetry(moments: Sequence[Expr]) -> int | None:
 
 def _tilted(scene: System, l: Sequence[Expr], scale: Expr) -> Iterator[OrbitalForm]:
     """Yield the attitudes with r along no principal axis; the rotor is ω0 scale l."""
-    I = scene.body.moments
-    along = [moment * x for moment, x in zip(I, R)]
-    c, level = cross(R, along), Add(*(x * y for x, y in zip(l, R)))
-    cubic = (4 * (I[1] - I[0]) * (I[2] - I[0]) * (I[2] - I[1]) * R[0] * R[1] * R[2]
-             - scale**2 * level * Add(*(x * y for x, y in zip(l, c))))
+    I, level = scene.body.tensor, Add(*(x * y for x, y in zip(l, R)))
+    along = list(I * ImmutableMatrix(R))
+    c = cross(R, along)
+    cubic = Add(*(x * (4 * y - scale**2 * level * z) for x, y, z in zip(c, I * ImmutableMatrix(along), l)))
     quartic = scale**2 * level**2 - 16 * Add(*(x**2 for x in c))
     mean = Add(*(x * y for x, y in zip(along, R)))
     normal = [-4 * (a * Add(*(x**2 for x in R)) - mean * x) for a, x in zip(along, R)]

@@ -6,20 +6,21 @@ from typing import Any
 from sympy import Expr
 
 from ..._cached import cached_property
+from ..._lazy import loaded
 from ...algebra.enclosures.balls import ball
 from ...algebra.enclosures.precision import doubled, own_precision
 from ...algebra.reals.exact import evaluate, proved_sign
 from ...algebra.rings.matrices import adjugate, cross
 from ...algebra.solving.real_fields import balls
-from ...mechanics.families.circular_orbit import orbital_rate, resting_at
+from ...mechanics.families.circular_orbit import by_gradient_alone, orbital_rate, resting_at
 from ...mechanics.scenes.system import System
 from ...notation import symbol
-from ...stability.criteria.amended_form import dot, trace
+from ...stability.criteria.amended_form import Rows, dot, trace
 from ...stability.decision import Decision, Rung, settled, undecided
 from ...stability.form import PRECISION, Form, Invariants
 from ...stability.notion import Notion
 from ...stability.report.report import Report
-from ...stability.theorems.two_directions import HELD, on_curve
+from ...stability.theorems.two_directions import DEGENERATE, HELD, on_curve
 
 OPEN = undecided(HELD)
 
@@ -82,6 +83,8 @@ class OrbitalForm(Form):
 
     def invariants(self, precision: int | None) -> Invariants:
         """Return the invariants of K, and the coefficients of the sextic."""
+        if not by_gradient_alone(self.scene):
+            return of_motion(*self._motion(precision))
         body, rate = self.scene.body, orbital_rate(self.scene)
         given = *body.tensor.tolist(), body.gyrostatic_momentum, self.n, self.r
         if precision is None:
@@ -89,6 +92,16 @@ class OrbitalForm(Form):
             return invariants(tensor, rotor, n, r, rate)
         *tensor, rotor, n, r = (balls(x, precision) for x in given)
         return invariants(tensor, rotor, n, r, ball(rate, precision))
+
+    def _motion(self, precision: int | None) -> tuple[Rows, Rows, Sequence[Any], Sequence[Any]]:
+        """Return I, K, g and ω0 n of I θ̈ + g × θ̇ + K θ = 0, in body axes, in any potential."""
+        body, rate = self.scene.body, orbital_rate(self.scene)
+        given = *body.tensor.tolist(), body.gyrostatic_momentum, self.n, self.r, [rate]
+        *tensor, rotor, n, r, (w,) = given if precision is None else (balls(x, precision) for x in given)
+        along = [w * x for x in n]
+        g = [trace(tensor) * x - 2 * dot(row, along) - l for x, row, l in zip(along, tensor, rotor)]
+        stiffness = loaded("equilibria.finders.amended_orbit:stiffness")(self.scene, n, r, precision)
+        return tensor, stiffness, g, along
 
     def known(self) -> Decision | None:
         """Return the decision of its report if there is an integral, and that on a curve of equilibria.
@@ -103,24 +116,41 @@ class OrbitalForm(Form):
         return undecided(self.locus) if found is None else found
 
     def known_damped(self) -> Decision | None:
-        """Return the decision of its report under damping if there is an integral."""
-        return Report(self.equilibrium).verdict({}, damped=True) if self.scene.linear_integrals else None
+        """Return the decision of its report under damping if there is an integral.
+
+        If another field acts, and K is degenerate, it is UNDECIDED.
+        """
+        if self.scene.linear_integrals:
+            return Report(self.equilibrium).verdict({}, damped=True)
+        return undecided(DEGENERATE) if self.index is None and not by_gradient_alone(self.scene) else None
 
     def held(self) -> Decision:
         """Return UNDECIDED: no theorem decides if gyroscopic forces alone stabilise it."""
         return OPEN
 
+    def degenerate(self) -> Decision | None:
+        """Return UNDECIDED if another field acts: no set of equilibria is known there."""
+        return None if by_gradient_alone(self.scene) else undecided(DEGENERATE)
+
     @property
     def reached(self) -> bool:
         """Whether damping reaches every motion: t·In and n·In − r·Ir do not both vanish."""
-        rows = self.scene.body.tensor.tolist()
         for precision in doubled(PRECISION):
             with own_precision(precision):
-                found = unreached([balls(row, precision) for row in rows], balls(self.n, precision),
-                                  balls(self.r, precision))
-                if any(not x.contains(0) for x in found):
+                if any(not x.contains(0) for x in self._unreached(precision)):
                     return True
-        return any(proved_sign(evaluate(x, {})) for x in unreached(rows, *self.directions))
+        return any(proved_sign(evaluate(x, {})) for x in self._unreached(None))
+
+    def _unreached(self, precision: int | None) -> Sequence[Any]:
+        """Return what vanishes if damping does not reach every motion."""
+        if not by_gradient_alone(self.scene):
+            return left_by_turning(*self._motion(precision))
+        given = *self.scene.body.tensor.tolist(), self.n, self.r
+        if precision is None:
+            *rows, n, r = given[:3] + self.directions
+        else:
+            *rows, n, r = (balls(x, precision) for x in given)
+        return unreached(rows, n, r)
 
 
 def invariants(tensor: Sequence[Sequence[Any]], rotor: Sequence[Any], n: Sequence[Any], r: Sequence[Any],
@@ -158,10 +188,15 @@ def invariants(tensor: Sequence[Sequence[Any]], rotor: Sequence[Any], n: Sequenc
          [-3 * square * tn, 3 * square * (tt - rr), 3 * square * nr],
          [0 * square, 3 * square * nr, square * (nn - tt) + along]]
     g = [-rate * tn, rate * (tt + rr - nn) - dot(rotor, n), 2 * rate * nr]
+    return of_motion(I, K, g)
+
+
+def of_motion(I: Rows, K: Rows, g: Sequence[Any], _: Sequence[Any] = ()) -> Invariants:
+    """Return the invariants of K, and the coefficients of det(λ² I + λ hat(g) + K)."""
     minors, whole = adjugate(K), dot(K[0], cross(K[1], K[2]))
     d = dot(I[0], cross(I[1], I[2]))
-    a = sum((dot(x, y) for x, y in zip(adjugate(I), K)), 0 * square) + dot(g, [dot(row, g) for row in I])
-    b = sum((dot(x, y) for x, y in zip(minors, I)), 0 * square) + dot(g, [dot(row, g) for row in K])
+    a = sum((dot(x, y) for x, y in zip(adjugate(I), K)), 0 * whole) + dot(g, [dot(row, g) for row in I])
+    b = sum((dot(x, y) for x, y in zip(minors, I)), 0 * whole) + dot(g, [dot(row, g) for row in K])
     return Invariants((trace(K), trace(minors), whole), (d, a, b, whole))
 
 
@@ -169,3 +204,19 @@ def unreached(tensor: Sequence[Sequence[Any]], n: Sequence[Any], r: Sequence[Any
     """Return t·In and n·In − r·Ir."""
     along, vertical = ([dot(row, a) for row in tensor] for a in (n, r))
     return dot(cross(n, r), along), dot(n, along) - dot(r, vertical)
+
+
+def left_by_turning(I: Rows, K: Rows, g: Sequence[Any], turning: Sequence[Any]) -> list[Any]:
+    """Return (I hat(v)² − hat(g) hat(v) + K) hat(v): the torques on a body turned as v = ω0 n turns.
+
+    Then ω stays, and internal damping does not reach that motion if they vanish.
+    """
+    hat = [[0 * x for x in turning] for _ in turning]
+    (hat[2][1], hat[0][2], hat[1][0]), (hat[1][2], hat[2][0], hat[0][1]) = turning, [-x for x in turning]
+    columns = [list(column) for column in zip(*hat)]
+    found = []
+    for v in columns:                                      # v = hat e
+        turned = cross(turning, v)
+        inertial = [dot(row, cross(turning, turned)) for row in I]
+        found += [a - b + dot(row, v) for a, b, row in zip(inertial, cross(g, turned), K)]
+    return found

@@ -8,7 +8,6 @@ from sympy import Expr, Float, ImmutableMatrix, Max, Min, oo
 from ...algebra.enclosures.precision import ONE_AT_A_TIME
 from ...algebra.reals.exact import proved_sign
 from ...algebra.solving.roots import in_order
-from ...algebra.text.grammar import parse
 from ...algebra.text.numbers import exact_expression, exact_number
 from ...arguments import checked
 from ...errors import BodyError, ScopeError, ValuesError, brief
@@ -53,7 +52,7 @@ def torque_equations(body: Gyrostat, torque: Sequence[Any] = ("tau1", "tau2", "t
     """
     if len(torque) != 3:
         raise BodyError(f"the torque has {len(torque)} components: give three, along the axes of the body")
-    tau = ImmutableMatrix([parse(t) if isinstance(t, str) else exact_expression(t) for t in torque])
+    tau = ImmutableMatrix([exact_expression(t, "torque") for t in torque])
     pi = ImmutableMatrix(components("pi"))
     omega = body.inverse * pi
     return (pi + ImmutableMatrix(body.gyrostatic_momentum)).cross(omega) + tau

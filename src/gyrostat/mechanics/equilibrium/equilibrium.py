@@ -8,14 +8,15 @@ from sympy import Expr, S, Symbol
 from ..._cached import cached_property
 from ..._display import Shown
 from ...algebra.reals.exact import is_identically_zero, plain, sign
-from ...errors import EquilibriumError, brief, require
+from ...errors import EquilibriumError, require
 from ...notation import Stored, Use, jet
 from ...registry import INTERNAL, use_of, why_refused
 from ..scenes.coupled import CoupledPotential, Held
+from ..scenes.equations import field_at, gradient_at
 from ..scenes.potential import smooth_where_positive
 from ..scenes.system import System
 from .near_pole import NearPole, left_positive, near_pole, refuse_rough
-from .relations import residual_of
+from .relations import refuse_lengths, refuse_rate, replaced, residual_of
 
 Relation = tuple[Symbol, Expr]
 Derived = TypeVar("Derived")
@@ -75,18 +76,7 @@ class Equilibrium(Shown, Stored):
         if clash := sorted(name for name in names if name in INTERNAL or use_of(name) is Use.TIME):
             raise EquilibriumError(f"{self.label} depends on {why_refused(clash, names)}")
         object.__setattr__(self, "point", tuple(map(plain, self.point)))   # 0 and ±1, however they are spelt
-        left = []
-        for coordinate, rate in zip(self.system.space.coordinates, self.system.jet_field.flat()):
-            if residual := residual_of(self.at_point(rate), self.insert):
-                left.append((f"d{coordinate}/dt = {brief(residual)}", is_identically_zero(residual)))
-        if wrong := [rate for rate, zero in left if zero is False]:
-            raise EquilibriumError(f"{self.label} is not an equilibrium: {', '.join(wrong[:2])}. Check the "
-                                   "point, or in Python pass the relation that makes these vanish "
-                                   "as relations=((symbol, value),).")
-        if left:
-            raise EquilibriumError(f"{self.label} is not proved to be an equilibrium: whether "
-                                   f"{', '.join(rate for rate, _ in left)} is 0 is not decided. Write its "
-                                   "numbers with rationals and roots.")
+        refuse_rate(self.label, field_at(self.system.space, self.energy_gradient, self.at_point), self.insert)
         if self.system.potential:
             self._check_direction()
 
@@ -110,11 +100,7 @@ class Equilibrium(Shown, Stored):
 
     def _check_held(self, held: Held) -> None:
         """Check that the directions have the lengths and the angle that the scene gives them."""
-        for casimir, value in held:
-            if excess := residual_of(self._placed(casimir) - value, self.insert):
-                unknown = " (not proved to be 0)" if is_identically_zero(excess) is None else ""
-                raise EquilibriumError(f"{self.label} has {casimir} − {value} = {excess}{unknown}, not 0: "
-                                       "correct the directions")
+        refuse_lengths(self.label, ((c, value, self._placed(c)) for c, value in held), self.insert)
 
     def _inner_arguments(self) -> tuple[Expr, ...]:
         """Return what has to be positive for a given U to be smooth at the point: arguments of roots."""
@@ -122,6 +108,12 @@ class Equilibrium(Shown, Stored):
             return ()
         found = map(self._placed, smooth_where_positive(potential.expression))
         return tuple(dict.fromkeys(map(self.insert, left_positive(self.near_pole, found))))
+
+    @cached_property
+    def energy_gradient(self) -> tuple[Expr, ...]:
+        """The gradient ∇h at the point: ω, then ∇U."""
+        scene = self.system
+        return gradient_at(scene.energy_gradient.flat(), None if scene.coupled else scene.body, self.at_point)
 
     @cached_property
     def near_pole(self) -> NearPole | None:
@@ -149,11 +141,14 @@ class Equilibrium(Shown, Stored):
         -------
         Expr or ImmutableMatrix, of the same shape
         """
-        placed = expression.xreplace(dict(zip(self.system.space.coordinates, self.point)))
+        return replaced(expression, self._found[0], self._place)
+
+    def _place(self, name: Symbol) -> Expr:
+        """Return a symbol at the point."""
+        placed: Expr = name.xreplace(dict(zip(self.system.space.coordinates, self.point)))
+        for derivative, value in self.relations:
+            placed = placed.xreplace({derivative: value} if jet(derivative.name) else {})
         potential = self.system.potential
-        for relation in self.relations:
-            if jet(relation[0].name):
-                placed = placed.xreplace(dict((relation,)))
         return self.insert(placed) if potential and potential.given and not potential.axial else placed
 
     def insert(self, expression: Any) -> Any:
@@ -169,11 +164,15 @@ class Equilibrium(Shown, Stored):
         -------
         Expr or ImmutableMatrix, of the same shape
         """
-        expression = self.insert_field(expression)
-        for name, value in self.relations:
-            if not jet(name.name):
-                expression = expression.xreplace({name: value})
-        return expression
+        return replaced(expression, self._found[1], self._value)
+
+    def _value(self, name: Symbol) -> Expr:
+        """Return a symbol with the values inserted."""
+        value = self.insert_field(name)
+        for eliminated, by_others in self.relations:
+            if not jet(eliminated.name):
+                value = value.xreplace({eliminated: by_others})
+        return value
 
     def insert_field(self, expression: Any) -> Any:
         """Return an expression with the jet of a given U replaced by its values at the point.
@@ -186,18 +185,19 @@ class Equilibrium(Shown, Stored):
         -------
         Expr or ImmutableMatrix, of the same shape
         """
+        return replaced(expression, self._found[2], self._value_in_field)
+
+    def _value_in_field(self, name: Symbol) -> Expr:
+        """Return a symbol, or the derivative of a given U that it stands for."""
         potential = self.system.potential
-        if not potential or not potential.given:
-            return expression
-        for s in expression.free_symbols - self._jet.keys():
-            if order := jet(s.name):
-                near, value = self.near_pole, potential.value(s)
-                self._jet[s] = near.derivative(order[0]) if near else self._placed(value)
-        return expression.xreplace(self._jet)
+        if not potential or not potential.given or not (order := jet(name.name)):
+            return name
+        near, value = self.near_pole, potential.value(name)
+        return near.derivative(order[0]) if near else self._placed(value)
 
     @cached_property
-    def _jet(self) -> dict[Symbol, Expr]:                  # the values that have been inserted
-        return {}
+    def _found(self) -> tuple[dict[Symbol, Expr], ...]:    # symbols at the point, inserted, of the field
+        return {}, {}, {}
 
     def existence(self) -> tuple[Expr, ...]:
         """Return the domain in the parameters that are left: positive where the family exists."""

@@ -1,11 +1,12 @@
-"""Solves the relation of a family for a name in which it is affine, and tells what is left of a relation."""
-from collections.abc import Callable, Sequence
+"""Solves a relation for a name in which it is affine, inserts what names are, and refuses what is not 0."""
+from collections.abc import Callable, Iterable, Sequence
+from typing import Any
 
 from sympy import Expr, S, Symbol
 
 from ...algebra.reals.exact import is_identically_zero
 from ...algebra.rings.polynomials import Ring, lowest_terms
-from ...errors import EquilibriumError
+from ...errors import EquilibriumError, brief
 from ...notation import symbol
 
 
@@ -48,3 +49,50 @@ def residual_of(rate: Expr, insert: Callable[[Expr], Expr]) -> Expr | None:
         if residual == 0 or is_identically_zero(residual):
             return None
     return residual
+
+
+def replaced(expression: Any, known: dict[Symbol, Expr], of: Callable[[Symbol], Expr]) -> Any:
+    """Return an expression or matrix with what each of its symbols becomes, which is found once.
+
+    Parameters
+    ----------
+    expression : Expr or ImmutableMatrix, any shape
+    known : dict of Symbol to Expr
+        what was found; it is added to
+    of : callable
+        tells what a symbol becomes
+
+    Returns
+    -------
+    Expr or ImmutableMatrix, of the same shape
+    """
+    for name in (free := expression.free_symbols) - known.keys():
+        known[name] = of(name)
+    rule = {name: known[name] for name in free if known[name] is not name}
+    return expression.xreplace(rule) if rule else expression
+
+
+def refuse_rate(label: str, field: Sequence[tuple[Symbol, Expr]], insert: Callable[[Expr], Expr]) -> None:
+    """Refuse a point at which a rate of the field does not vanish, or is not proved to."""
+    ring = Ring(rate for _, rate in field)                 # one for all, as they have long parts in common
+    left = [(f"d{coordinate}/dt = {brief(residual)}", is_identically_zero(residual))
+            for coordinate, rate in field
+            if ring.numerator(rate) and (residual := residual_of(rate, insert))]
+    if wrong := [rate for rate, zero in left if zero is False]:
+        raise EquilibriumError(f"{label} is not an equilibrium: {', '.join(wrong[:2])}. Check the "
+                               "point, or in Python pass the relation that makes these vanish "
+                               "as relations=((symbol, value),).")
+    if left:
+        raise EquilibriumError(f"{label} is not proved to be an equilibrium: whether "
+                               f"{', '.join(rate for rate, _ in left)} is 0 is not decided. Write its "
+                               "numbers with rationals and roots.")
+
+
+def refuse_lengths(label: str, held: Iterable[tuple[Expr, Expr, Expr]],
+                   insert: Callable[[Expr], Expr]) -> None:
+    """Refuse directions if a Casimir, given with the value that the scene gives it, has another one there."""
+    for casimir, value, there in held:
+        if excess := residual_of(there - value, insert):
+            unknown = " (not proved to be 0)" if is_identically_zero(excess) is None else ""
+            raise EquilibriumError(f"{label} has {casimir} − {value} = {excess}{unknown}, not 0: correct the "
+                                   "directions")

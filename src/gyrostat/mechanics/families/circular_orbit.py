@@ -4,14 +4,14 @@ from dataclasses import dataclass
 from numbers import Integral
 from typing import Any, ClassVar
 
-from sympy import Add, Expr, ImmutableMatrix, Rational, sqrt
+from sympy import Add, Expr, ImmutableMatrix, Rational
 
-from ...algebra.reals.exact import is_identically_zero, sign_of_constant
+from ...algebra.reals.exact import is_identically_zero
+from ...algebra.rings.matrices import cross
 from ...algebra.text.numbers import exact_expression, shown
 from ...arguments import checked
 from ...errors import EquilibriumError, PotentialError, ScopeError, brief
 from ...notation import components, symbol
-from ...registry import check_names
 from ..equilibrium.equilibrium import Equilibrium
 from ..scenes.coupled import CoupledPotential, coupled_potential, unit_and_orthogonal
 from ..scenes.kind import Kind
@@ -19,9 +19,10 @@ from ..scenes.lie_poisson import hat
 from ..scenes.potential import DIRECTIONS
 from ..scenes.rotors import Rotor
 from ..scenes.system import System
+from .orbit_rates import rate_of_orbit
 
 NORMAL, VERTICAL = "n", "r"
-RATE = symbol("omega0")
+VELOCITY = dict(zip(components("t"), cross(components(NORMAL), components(VERTICAL))))     # t = n × r
 
 
 @dataclass(frozen=True)
@@ -36,7 +37,8 @@ class CircularOrbit(CoupledPotential):
 
 
 @checked
-def circular_orbit(rate: Any = None, *, mu: Any = None, radius: Any = None,
+def circular_orbit(rate: Any = None, *, period: Any = None, height: Any = None, body: str | None = None,
+                   mu: Any = None, radius: Any = None,
                    potential: Any = 0, rotors: Sequence[Rotor] = ()) -> CoupledPotential:
     """Return the field of a satellite in a circular orbit, in the frame that turns with the orbit.
 
@@ -49,13 +51,19 @@ def circular_orbit(rate: Any = None, *, mu: Any = None, radius: Any = None,
     ----------
     rate : number, text or Expr, or None
         ω0 > 0, such as "0.0011 rad/s"; default: the symbol omega0 [1/T]
+    period : number, text or Expr
+        in place of the rate: that of the orbit, "95 min" [T]
+    height : text
+        in place of the rate: above the equator of the body, with its unit, "500 km" [L]
+    body : str
+        of a height or a radius: "earth", "moon" or "mars"; default: the Earth
     mu, radius : number, text or Expr
         in place of the rate: the gravitational parameter [L³/T²] and the radius of the orbit [L],
         ω0² = mu/radius³
     potential : Expr, str or callable
-        another energy in n1, n2, n3, r1, r2, r3, beside the gravity gradient, or a text or a function of it:
-        −B n·μ of a magnet μ in a field B along the normal, f ρ·(n × r) of a constant drag f at the point ρ of
-        the body [M L²/T²]
+        another energy beside the gravity gradient, or a text of it, in n1, n2, n3, r1, r2, r3, and t1, t2,
+        t3 for n × r; or a function of the first six: −B n·μ of a magnet μ in a field B along the normal, f
+        ρ·t of a constant drag f against the velocity at the point ρ of the body [M L²/T²]
     rotors : sequence of Rotor
         those of gyrostat_with_rotors: the tensor of the body is without the axial moments of the free ones,
         on which gravity acts
@@ -69,13 +77,14 @@ def circular_orbit(rate: Any = None, *, mu: Any = None, radius: Any = None,
     Raises
     ------
     PotentialError
-        the rate, mu or the radius is not positive, or the rate is given and mu and radius give another; the
-        other potential is of no such directions
+        what is given of the orbit is not positive, or is too much or too little; the other potential is of no
+        such directions
 
     References
     ----------
     Hughes, Spacecraft Attitude Dynamics (1986), chapter 9; the bracket: Krishnaprasad & Marsden, Arch.
-    Rational Mech. Anal. 98 (1987) 71-93.
+    Rational Mech. Anal. 98 (1987) 71-93. Celestial bodies: IERS Conventions (2010), table 1.1, for the Earth;
+    JPL's DE440 and Archinal et al., Celest. Mech. Dyn. Astron. 130 (2018) 22, for the Moon and Mars.
 
     Examples
     --------
@@ -84,8 +93,11 @@ def circular_orbit(rate: Any = None, *, mu: Any = None, radius: Any = None,
     >>> scene = gs.assemble(body, gs.circular_orbit())
     >>> gs.earth_pointing(scene, roll=1, pitch=2, yaw=3).point
     (0, I2*omega0, 0, 0, 1, 0, 0, 0, 1)
+    >>> low = gs.circular_orbit(height="500 km")
+    >>> low.drift[0].evalf(6)
+    -0.00110678*n1
     """
-    omega0 = _rate(rate, mu, radius)
+    omega0 = rate_of_orbit(rate, mu, radius, height, period, body)
     n, r, l = map(components, (NORMAL, VERTICAL, "l"))
     gravity = Add(*(symbol(f"I{min(i, j)}{max(i, j)}") * r[i - 1] * r[j - 1]
                     for i in (1, 2, 3) for j in (1, 2, 3)))
@@ -103,7 +115,7 @@ def circular_orbit(rate: Any = None, *, mu: Any = None, radius: Any = None,
 def _beside(potential: Any) -> Expr:
     """Return another energy in the directions of the orbit."""
     if not callable(potential):
-        potential = exact_expression(potential, "U")
+        potential = exact_expression(potential, "U").xreplace(VELOCITY)
     fixed = sorted(str(k) for k in getattr(potential, "free_symbols", set()) & set(DIRECTIONS))
     if fixed:
         raise PotentialError(f"U = {potential} has {', '.join(fixed)}, a direction fixed in space, and "
@@ -111,31 +123,6 @@ def _beside(potential: Any) -> Expr:
                              "anyway, or write what acts beside it in n1, n2, n3, the normal, and r1, r2, "
                              "r3, the vertical")
     return coupled_potential(potential, (NORMAL, VERTICAL)).expression
-
-
-def _rate(rate: Any, mu: Any, radius: Any) -> Expr:
-    """Return ω0, proved positive if it is a number."""
-    given = {name: exact_expression(x, f"orbit {name}")
-             for name, x in (("rate", rate), ("mu", mu), ("radius", radius)) if x is not None}
-    for name, value in given.items():
-        directions = sorted(map(str, value.free_symbols & {*components(NORMAL), *components(VERTICAL)}))
-        check_names([value], f"{name} = {shown(value)}", PotentialError)
-        if directions:
-            raise PotentialError(f"{name} = {shown(value)} depends on {', '.join(directions)}, a direction "
-                                 "that moves: give a number or another name")
-        if value.is_nonpositive or not value.free_symbols and sign_of_constant(value) != 1:
-            raise PotentialError(f"{name} = {shown(value)}: the {name} of a circular orbit is positive; give "
-                                 "a positive number")
-    if ("mu" in given) != ("radius" in given):
-        raise PotentialError(f"{', '.join(given)} is given alone: an orbit has a rate, or mu and radius; "
-                             "give mu and radius")
-    if "mu" not in given:
-        return given.get("rate", RATE)
-    found = sqrt(given["mu"] / given["radius"] ** 3)
-    if "rate" in given and sign_of_constant(given["rate"] - found) != 0:
-        raise PotentialError(f"rate = {shown(given['rate'])}, but mu and radius give "
-                             f"{shown(found)}: leave one of them out")
-    return found
 
 
 def by_gradient_alone(scene: System) -> bool:
@@ -194,13 +181,16 @@ def _check_rotor(scene: System, t: ImmutableMatrix, n: ImmutableMatrix, r: Immut
     I, rate, l = scene.body.tensor, orbital_rate(scene), ImmutableMatrix(scene.body.gyrostatic_momentum)
     torques = {"t·Ir": t.dot(I * r), "l·t + ω0 t·In": t.dot(l) + rate * t.dot(I * n),
                "l·r + 4 ω0 r·In": r.dot(l) + 4 * rate * r.dot(I * n)}
-    left = [f"{name} = {shown(x)}" for name, x in torques.items() if is_identically_zero(x) is False]
+    left = [f"{name} = {_short(x)}" for name, x in torques.items() if is_identically_zero(x) is False]
     if left:
         raise EquilibriumError(f"Earth-pointing is not an equilibrium of this body: {', '.join(left)}, and "
-                               "each must be 0. In principal axes the rotor must lie along the axis of "
-                               "pitch, 0, l, 0 if that is axis 2. In Python earth_pointing_gyrostat(body, "
-                               "orbit) gives the rotor with which the body rests so, or the angle by which "
-                               "to turn the body first")
+                               "each must be 0. In principal axes put the rotor along pitch; "
+                               "earth_pointing_gyrostat gives one that holds it")
+
+
+def _short(value: Expr) -> str:
+    text = shown(value, 12)
+    return text if len(text) <= 24 else text[:23] + "…"
 
 
 def axes_of(roll: int, pitch: int, yaw: int) -> list[list[int]]:

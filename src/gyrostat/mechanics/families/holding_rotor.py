@@ -1,11 +1,11 @@
 """The rotor that holds a satellite Earth-pointing, whatever its products of inertia."""
-from sympy import ImmutableMatrix
+from sympy import Expr, ImmutableMatrix
 
 from ...algebra.reals.exact import is_identically_zero
 from ...algebra.rings.polynomials import lowest_terms
 from ...algebra.text.numbers import shown
 from ...arguments import checked
-from ...errors import EquilibriumError, ScopeError
+from ...errors import EquilibriumError, ScopeError, brief
 from ..scenes.body import Gyrostat
 from ..scenes.coupled import CoupledPotential
 from ..scenes.system import assemble
@@ -66,10 +66,13 @@ def earth_pointing_gyrostat(body: Gyrostat, orbit: CoupledPotential, roll: int =
     if is_identically_zero(product) is not True:
         apart = lowest_terms(t.dot(I * t) - r.dot(I * r))
         raise EquilibriumError(
-            f"t·Ir = {shown(product)}, the product of inertia of the axes of roll and yaw: the torque of the "
-            "gravity gradient about the normal is 3 ω0² t·Ir, and no rotor balances it. Turn the body about "
-            "the normal until t·Ir = 0: t goes towards r by φ, tan 2φ = 2 t·Ir/(t·It − r·Ir), here "
-            f"{shown(2 * product)} over {shown(apart)}")
+            f"t·Ir = {_told(product)}, the product of inertia of roll and yaw: the gravity gradient turns "
+            "it about the normal, and no rotor balances it. Turn the body about the normal, t towards r "
+            f"by φ, tan 2φ = 2 t·Ir/(t·It − r·Ir) = {_told(2 * product)} over {_told(apart)}")
     kept = n.dot(ImmutableMatrix(body.gyrostatic_momentum))
     rotor = -rate * t.dot(I * n) * t + kept * n - 4 * rate * r.dot(I * n) * r
     return Gyrostat(body.inertia, list(map(lowest_terms, rotor)))
+
+
+def _told(value: Expr) -> str:
+    return brief(shown(value, 12))[1:-1]

@@ -119,7 +119,8 @@ def _solved(U: Potential, scene: System, k: Sequence[Expr],
     found, domain = list[Relation](), list[Expr]()
     for name, slope in slopes:
         relation = (U.value(name).xreplace(dict(zip(U.variables, k))) - slope).xreplace(dict(found))
-        ways = [(s, way[0], relation.diff(s)) for s in own if (way := affine(relation, s))]
+        inside = relation.free_symbols
+        ways = [(s, way[0], relation.diff(s)) for s in own if s in inside and (way := affine(relation, s))]
         if not ways:
             found.append((name, slope))
             continue

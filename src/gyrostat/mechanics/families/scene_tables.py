@@ -9,11 +9,10 @@ from typing import TYPE_CHECKING, Any
 from ..._cached import cached_property
 from ..._lazy import loaded
 from ...algebra.text.grammar import parse
-from ...algebra.text.inputs import Written, is_name
 from ...algebra.text.quantities import not_mixed
+from ...algebra.text.tensors import rows_of
 from ...errors import PublishedError, brief
 from ...notation import symbol
-from ..equilibrium.unit_vectors import STEREOGRAPHIC
 from ..scenes.body import Gyrostat
 from ..scenes.coupled import CoupledPotential
 from ..scenes.entered_potential import axial_potential, general_potential
@@ -21,16 +20,14 @@ from ..scenes.potential import Potential
 from ..scenes.system import System, assemble
 from .family import Family
 from .named_families import called, in_words, known_families
+from .scene_entries import READ, texts_of
 
 if TYPE_CHECKING:
     from ..scenes.rotors import Rotor
 
 LISTS = ("inertia", "gyrostatic_momentum", "point", "state", "release", "integrals")    # of texts or numbers
-# of each rotor, texts or numbers but for the axis
-ROTOR = ("axis", "axial", "transverse", "rate", "momentum")
-ORBIT = ("rate", "mu", "radius")                      # of an orbit, texts or numbers
-KEYS = {*LISTS, "rotors", "lumped", "orbit", "pointing", "direction", "potential", "values", "equilibrium",
-        "spin", "eliminate", "angles", "vertical", "given", "parameters"}
+KEYS = {*LISTS, "products", "rotors", "lumped", "orbit", "pointing", "direction", "potential", "values",
+        "equilibrium", "spin", "eliminate", "angles", "vertical", "given", "parameters"}
 NONE, AXIAL, GENERAL = "none", "U(k3)", "U(k1,k2,k3)"   # potentials that are no expressions
 
 
@@ -64,16 +61,18 @@ class SceneTable:
             meant = f"did you mean {near[0]}? " if near else ""
             raise PublishedError(f"a scene has no entry {brief(str(name))[1:-1]}: {meant}its entries are "
                                  f"{', '.join(sorted(KEYS))}")
-        if name in _READ:
-            return _READ[name](value)
+        if name in READ:
+            return READ[name](value)
         if name == "lumped":
             if not isinstance(value, bool):
                 raise PublishedError(f"lumped = {brief(value)}: write true or false")
             return value
+        if name in ("inertia", "gyrostatic_momentum") and isinstance(value, str):
+            value = rows_of(value)
         if name == "inertia" and isinstance(value, list) and any(isinstance(row, list) for row in value):
-            return [_texts(name, row) for row in value]
+            return [texts_of(name, row) for row in value]
         if name in LISTS:
-            return _texts(name, value)
+            return texts_of(name, value)
         if not isinstance(value, str):
             raise PublishedError(f"{name} = {brief(value)}: write a text, in quotation marks")
         return value
@@ -84,15 +83,23 @@ class SceneTable:
         inertia: list[Any] = self.table.get("inertia", ["I1", "I2", "I3"])
         momentum: list[str] = self.table.get("gyrostatic_momentum", ["0", "0", "0"])
         rotors = self.table.get("rotors", [])
-        flat = [x for row in inertia for x in (row if isinstance(row, list) else [row])]
-        not_mixed([*(("inertia", x) for x in flat), *(("gyrostatic_momentum", x) for x in momentum),
-                   *((name, x) for rotor in rotors for name, x in rotor.items()),
-                   *((f"orbit {name}", x) for name, x in self.table.get("orbit", {}).items()),
-                   *self.table.get("values", {}).items()])
+        not_mixed(self.quantities)
+        products = self.table.get("products", "negative")
         if not rotors:
-            return Gyrostat(inertia, momentum)
+            return Gyrostat(inertia, momentum, products)
         make = loaded("mechanics.scenes.rotors:gyrostat_with_rotors")
-        return make(inertia, self.rotors, lumped=self.table["lumped"])
+        return make(inertia, self.rotors, lumped=self.table["lumped"], products=products)
+
+    @property
+    def quantities(self) -> list[tuple[str, Any]]:
+        """The numbers of body, orbit and values, with their names; all have a unit, or none has."""
+        table = self.table
+        flat = [x for row in table.get("inertia", ()) for x in (row if isinstance(row, list) else [row])]
+        return [*(("inertia", x) for x in flat),
+                *(("gyrostatic_momentum", x) for x in table.get("gyrostatic_momentum", ())),
+                *((name, x) for rotor in table.get("rotors", ()) for name, x in rotor.items()),
+                *((f"orbit {name}", x) for name, x in table.get("orbit", {}).items()),
+                *table.get("values", {}).items()]
 
     @cached_property
     def rotors(self) -> "tuple[Rotor, ...]":
@@ -145,101 +152,3 @@ def scene_tables(data: Mapping[str, Any], path: Path | Traversable) -> dict[str,
         raise PublishedError(f"{path}: scene is not made of [scene.NAME] tables: write [scene.top] and below "
                              'it potential = "m0*k3"')
     return tables
-
-
-def _parameters(value: Any) -> list[str]:
-    """Return the names in a list."""
-    if not isinstance(value, list) or not all(isinstance(text, str) for text in value):
-        raise PublishedError(f"parameters = {brief(value)}: write a list of texts, in quotation marks")
-    for text in value:
-        if not is_name(text):
-            raise PublishedError(f"the parameter {brief(text)} is not a name: letters, digits and _ make one")
-    return value
-
-
-def _texts(name: str, value: Any) -> list[str]:
-    """Return a list of numbers or texts as texts."""
-    if isinstance(value, list) and None not in (texts := [_text(x) for x in value]):
-        return [text for text in texts if text is not None]
-    raise PublishedError(f'{name} = {brief(value)}: write a list of numbers, or of texts in quotation '
-                         f'marks, {name} = [1, 1, "1/3"]')
-
-
-def _rotors(value: Any) -> list[dict[str, Any]]:
-    """Return for each rotor its texts by their names."""
-    if not isinstance(value, list) or not value or not all(isinstance(rotor, dict) for rotor in value):
-        raise PublishedError(f"rotors = {brief(value)}: write a list of tables, rotors = [{{ "
-                             'axis = [0, 1, 0], axial = "0.05 kg m^2", rate = "3000 rpm" }]')
-    for rotor in value:
-        if unknown := [name for name in rotor if name not in ROTOR]:
-            raise PublishedError(f"a rotor has no entry {unknown[0]}: its entries are {', '.join(ROTOR)}")
-        if missing := [name for name in ("axis", "axial") if name not in rotor]:
-            raise PublishedError(f"a rotor has no {missing[0]}: write {missing[0]} = "
-                                 + ("[0, 1, 0]" if missing[0] == "axis" else '"0.05 kg m^2"'))
-    return [{name: _texts(name, x) if name == "axis" else _texts(name, [x])[0] for name, x in rotor.items()}
-            for rotor in value]
-
-
-def _orbit(value: Any) -> dict[str, str]:
-    """Return the rate, or mu and radius, of a table or of an option's text: 0.0011 rad/s, mu=…, radius=…."""
-    if isinstance(value, str):
-        parts = [part.partition("=") for part in value.split(",")]
-        once = len(parts) == len({name.strip() for name, *_ in parts})
-        named = once and all(equals for _, equals, _ in parts)
-        value = {name.strip(): text.strip() for name, _, text in parts} if named else {"rate": value.strip()}
-    elif (text := _text(value)) is not None:
-        value = {"rate": text}
-    texts = {name: _text(x) for name, x in value.items()} if isinstance(value, dict) else {"": None}
-    if not texts or not texts.keys() <= set(ORBIT) or not all(texts.values()):
-        raise PublishedError(f'orbit = {brief(value)}: give its rate, orbit = "omega0" or "0.0011 rad/s", or '
-                             'mu and radius, that of the Earth and the height, orbit = { mu = '
-                             '"398600.4418 km^3/s^2", radius = "6778 km" }')
-    return {name: text for name, text in texts.items() if text is not None}
-
-
-def _pointing(value: Any) -> list[int]:
-    """Return the body axes of roll, pitch and yaw."""
-    axes = value.split(",") if isinstance(value, str) else value if isinstance(value, list) else []
-    texts = [str(_text(x)).strip() for x in axes]
-    if sorted(text.removeprefix("-") for text in texts) != ["1", "2", "3"]:
-        raise PublishedError(f"pointing = {brief(value)}: give the body axes along roll, pitch and yaw, 1, 2 "
-                             "and 3 in some order, negative for one that points the other way, [1, 2, 3]")
-    return [int(text) for text in texts]
-
-
-def _direction(value: Any) -> list[str]:
-    """Return three expressions, or the word for all directions by two coordinates."""
-    texts = [text.strip() for text in (value.split(",") if isinstance(value, str) else
-                                       _texts("direction", value))]
-    if len(texts) != 3 and texts != [STEREOGRAPHIC]:
-        raise PublishedError(f'direction = {brief(value)}: give three expressions that make a unit vector, '
-                             f'["sin(a)", 0, "cos(a)"], or "{STEREOGRAPHIC}"')
-    return texts
-
-
-def _values(value: Any) -> dict[str, str]:
-    """Return numbers by their names."""
-    if not isinstance(value, dict):
-        raise PublishedError(f'values = {brief(value)}: write a table, values = {{ I1 = 1.6, l = "1/3" }}')
-    texts = {name: _text(number) for name, number in value.items()}
-    for name, text in texts.items():
-        if not isinstance(name, str) or not is_name(name):
-            raise PublishedError(f"values has {brief(name)}, which is not a name: letters, digits and _ make "
-                                 "one")
-        if text is None:
-            raise PublishedError(f'values.{name} = {brief(value[name])} is not a number: write {name} = 1.6, '
-                                 f'or {name} = "sqrt(3)/2"')
-    return {name: text for name, text in texts.items() if text is not None}
-
-
-def _text(value: Any) -> str | None:
-    """Return a number or text as it is written, None for anything else."""
-    if isinstance(value, Written):
-        return value.text
-    if isinstance(value, int) and not isinstance(value, bool):
-        return str(value)
-    return value if isinstance(value, str) else None
-
-
-_READ = {"values": _values, "rotors": _rotors, "orbit": _orbit, "pointing": _pointing,
-         "direction": _direction, "parameters": _parameters}

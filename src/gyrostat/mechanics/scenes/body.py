@@ -1,6 +1,6 @@
 """The gyrostat: inertia, gyrostatic momentum, kinetic energy."""
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import InitVar, dataclass
 from typing import Any
 
 from sympy import Add, Expr, ImmutableMatrix, Rational, S, Symbol, radsimp
@@ -8,13 +8,16 @@ from sympy import Add, Expr, ImmutableMatrix, Rational, S, Symbol, radsimp
 from ..._cached import cached_property
 from ..._display import Shown
 from ...algebra.reals.exact import is_identically_zero, plain, sign_of_constant
-from ...algebra.rings.matrices import immutable
+from ...algebra.rings.matrices import adjugate, immutable
 from ...algebra.text.numbers import exact_expression, shown
 from ...algebra.text.quantities import not_mixed
+from ...algebra.text.tensors import rows_of
 from ...arguments import checked, several
 from ...errors import ArgumentError, BodyError, ScopeError, article, brief
 from ...notation import Stored, Use, components, symbol
 from ...registry import check_names
+
+PRODUCTS = ("negative", "positive")                    # of inertia: −∫ xy dm, ∫ xy dm
 
 
 @dataclass(frozen=True)
@@ -24,14 +27,19 @@ class Gyrostat(Shown, Stored):
     Each entry is a number (made exact) or a SymPy expression; the default is the general body, in symbols.
     Arrays are sequences too, and a diagonal matrix has its moments on the diagonal. With a full tensor
     everything is given, and answered, in its axes; what needs principal moments says so. Texts may have
-    units, "120 kg m^2", then all of them; the body is in SI.
+    units, "120 kg m^2", then all of them; the body is in SI. One text may be all entries, with one unit:
+    "62.1, 58, 30 kg m^2", "[[62.1, 1.3, -0.8], [1.3, 58, 0.2], [-0.8, 0.2, 30]] kg m^2".
 
     Parameters
     ----------
-    inertia : (I1, I2, I3), or matrix, shape (3, 3)
+    inertia : (I1, I2, I3), or matrix, shape (3, 3), or text
         principal moments of the locked body, or its inertia tensor [M L²]; positive
-    gyrostatic_momentum : (l1, l2, l3)
+    gyrostatic_momentum : (l1, l2, l3), or text
         angular momentum of the rotor relative to the body [M L²/T]
+    products : str
+        the sign of the products of inertia as they are given: "negative" if they are the entries of the
+        tensor, I12 = −∫ x1 x2 dm; "positive" if they are the integrals ∫ x1 x2 dm, as CAD programs often
+        print them (SolidWorks: positive tensor notation), which the tensor has with a minus
 
     Raises
     ------
@@ -44,16 +52,25 @@ class Gyrostat(Shown, Stored):
     >>> body = gs.Gyrostat(inertia=(2, 2, 1), gyrostatic_momentum=(0, 0, 0))
     >>> body.kinetic_energy((gs.symbol("pi1"), 0, gs.symbol("pi3")))
     pi1**2/4 + pi3**2/2
+    >>> printed = "[[5, 1, 0], [1, 4, 0], [0, 0, 3]] kg m^2"
+    >>> gs.Gyrostat(printed, "0, 0, 2 N m s", products="positive").tensor[0, 1]
+    -1
     """
 
     inertia: Sequence[Any] = components("I")
     gyrostatic_momentum: Sequence[Any] = components("l")
+    products: InitVar[str] = "negative"
 
-    def __post_init__(self) -> None:
+    def __post_init__(self, products: str) -> None:
+        if products not in PRODUCTS:
+            raise BodyError(f"products = {brief(products)}: give negative if the products of inertia are the "
+                            "entries of the tensor, −∫ xy dm, or positive if they are the integrals ∫ xy dm")
         given = {field: _entries(getattr(self, field), field) for field in ("gyrostatic_momentum", "inertia")}
         not_mixed((field, x) for field, entries in given.items() for x in entries)
         rotor, inertia = ([_without_surds_below(exact_expression(x, field)) for x in entries]
                           for field, entries in given.items())
+        if products == "positive" and len(inertia) == 9:
+            inertia = [x if n % 4 == 0 else -x for n, x in enumerate(inertia)]
         object.__setattr__(self, "gyrostatic_momentum", tuple(map(plain, rotor)))
         object.__setattr__(self, "inertia", tensor_of(inertia) if len(inertia) == 9
                            else _as_first_written(inertia))
@@ -63,9 +80,10 @@ class Gyrostat(Shown, Stored):
             if not value.free_symbols and (sign := sign_of_constant(value)) != 1:
                 what = "is not proved to be" if sign is None else "is not"
                 if isinstance(self.inertia, ImmutableMatrix):
-                    raise BodyError(f"inertia = {self.inertia.tolist()}: a leading principal minor, "
-                                    f"{shown(value)}, {what} positive, but the tensor of a body is positive "
-                                    "definite; check the signs of the products of inertia")
+                    raise BodyError(f"inertia = {brief(self.inertia.tolist())}: a leading principal minor, "
+                                    f"{shown(value, 12)}, {what} positive, but the tensor of a body is "
+                                    "positive definite; check the signs of the products of inertia: its "
+                                    "entries are −∫ xy dm, and products=\"positive\" takes ∫ xy dm")
                 raise BodyError(f"inertia = ({', '.join(map(shown, self.inertia))}): {shown(value)} "
                                 f"{what} positive, but a body has "
                                 "mass off every axis; give three positive moments")
@@ -94,7 +112,8 @@ class Gyrostat(Shown, Stored):
     def inverse(self) -> ImmutableMatrix:
         """The inverse I⁻¹ of the tensor, shape (3, 3): ω = I⁻¹ π."""
         if isinstance(self.inertia, ImmutableMatrix):
-            return ImmutableMatrix(self.inertia.adjugate() / self.inertia.det(method="berkowitz"))
+            whole = self.inertia.det(method="berkowitz")
+            return immutable([[entry / whole for entry in row] for row in adjugate(self.inertia.tolist())], 3)
         return _diagonal([1 / moment for moment in self.inertia])
 
     @property
@@ -104,7 +123,7 @@ class Gyrostat(Shown, Stored):
             return tuple(self.inertia)
         return tuple(self.inertia[i, j] for i, j in ((0, 0), (1, 1), (2, 2), (1, 2), (2, 0), (0, 1)))
 
-    @property
+    @cached_property
     def positive(self) -> tuple[Expr, ...]:
         """What is positive for any body: the moments, or the leading principal minors of the tensor."""
         if not isinstance(self.inertia, ImmutableMatrix):
@@ -209,10 +228,11 @@ def leading_minors(tensor: ImmutableMatrix) -> tuple[Expr, ...]:
 
 def _entries(given: Any, field: str) -> tuple[Any, ...]:
     """Return three entries of a sequence, an array or a diagonal matrix, or all nine of another matrix."""
+    given = rows_of(given) if isinstance(given, str) else given
     if hasattr(given, "__len__") and len(given) > 9:
         raise BodyError(f"{field} has {len(given)} entries: give three, one for each principal axis")
     rows = given.tolist() if hasattr(given, "tolist") else given
-    if isinstance(rows, str | bytes) or not isinstance(rows, Sequence):
+    if isinstance(rows, bytes) or not isinstance(rows, Sequence):
         raise ArgumentError(f"{field} = {brief(given)} is {article(type(given))}, not a sequence: give "
                             "three numbers, "
                             f"{field}=({'2, 2, 1' if field == 'inertia' else '0, 0, 1'})")

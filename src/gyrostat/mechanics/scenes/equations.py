@@ -1,11 +1,13 @@
 """The equations of motion in the coordinates and the jet of U, and their derivatives."""
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from functools import lru_cache
 
 from sympy import Add, Expr, ImmutableMatrix, Mul, Symbol
 
+from ...algebra.rings.matrices import applied, solved
 from ...algebra.rings.polynomials import Ring, derivatives
-from ...notation import jet
+from ...notation import components, jet
+from .body import Gyrostat
 from .lie_poisson import LiePoisson
 from .potential import Potential
 
@@ -15,7 +17,7 @@ from .potential import Potential
 def jet_field(space: LiePoisson, energy_gradient: tuple[Expr, ...]) -> ImmutableMatrix:
     """Return B ∇h, with one coefficient for each product of coordinates."""
     return ImmutableMatrix([_collected(component, space.coordinates)
-                            for component in (space.tensor * ImmutableMatrix(energy_gradient)).flat()])
+                            for component in applied(space.tensor.tolist(), energy_gradient)])
 
 
 @lru_cache(maxsize=64)
@@ -32,6 +34,38 @@ def jet_jacobian(field: ImmutableMatrix, coordinates: tuple[Symbol, ...],
             row[3:6] = [entry + outer * slope for entry, slope in zip(row[3:6], inner)]
         rows.append(row[:len(coordinates)])
     return ImmutableMatrix(rows)
+
+
+def gradient_at(gradient: Sequence[Expr], body: Gyrostat | None,
+                place: Callable[[Expr], Expr]) -> tuple[Expr, ...]:
+    """Return ∇h at a point; if a body is given, its rates first, with Iω = π.
+
+    A tensor with products of inertia has a long inverse, and ω is short: the system is solved at the point.
+
+    Parameters
+    ----------
+    gradient : sequence of Expr
+        ∇h
+    body : Gyrostat or None
+        None if the rates are not I⁻¹π, because of a coupling
+    place : callable
+        inserts the point into an expression
+
+    Returns
+    -------
+    tuple of Expr
+    """
+    if body is None or not isinstance(body.inertia, ImmutableMatrix):
+        return tuple(map(place, gradient))
+    tensor = [list(map(place, row)) for row in body.inertia.tolist()]
+    return *solved(tensor, list(map(place, components("pi")))), *map(place, gradient[3:])
+
+
+def field_at(space: LiePoisson, gradient: Sequence[Expr], place: Callable[[Expr], Expr]
+             ) -> list[tuple[Symbol, Expr]]:
+    """Return each coordinate with its rate at a point, B ∇h, by ∇h there."""
+    tensor = [list(map(place, row)) for row in space.tensor.tolist()]
+    return list(zip(space.coordinates, applied(tensor, gradient)))
 
 
 def inserted(potential: Potential, rates: Sequence[Expr]) -> list[Expr]:

@@ -15,6 +15,7 @@ from sympy import Add, Expr, ImmutableMatrix, Symbol, expand, zeros
 
 from ..._cached import cached_property
 from ..._display import Shown
+from ...algebra.rings.matrices import applied
 from ...algebra.rings.polynomials import Ring, derivatives, lowest_terms
 from ...algebra.text.numbers import exact_expression
 from ...arguments import checked
@@ -66,16 +67,15 @@ class LiePoisson(Shown, Stored):
     def __post_init__(self) -> None:
         if self.tensor.shape != (len(self.coordinates),) * 2 or any(map(expand, self.tensor + self.tensor.T)):
             raise StructureError(f"a {self.tensor.rows}×{self.tensor.cols} tensor that is antisymmetric "
-                                 "and has one row for each "
-                                 f"of the {len(self.coordinates)} coordinates is needed: B[i, j] = {{x_i, "
-                                 f"x_j}}")
+                                 f"and has one row for each of the {len(self.coordinates)} coordinates is "
+                                 "needed: B[i, j] = {x_i, x_j}")
         for i, j, k in combinations(range(len(self.coordinates)), 3):
             if value := self.jacobiator(i, j, k):
                 names = ", ".join(str(self.coordinates[n]) for n in (i, j, k))
                 raise StructureError(f"the tensor breaks the Jacobi identity: the jacobiator of {names} is "
                                      f"{value}, not 0; check its entries")
         for casimir in self.casimirs:
-            if any(entry := [lowest_terms(e) for e in self.tensor * self.gradient(casimir)]):
+            if any(entry := [lowest_terms(e) for e in applied(self.tensor.tolist(), self.gradient(casimir))]):
                 raise StructureError(f"{casimir} is not a Casimir: B ∇C = {entry}, not 0; correct it")
 
     @checked

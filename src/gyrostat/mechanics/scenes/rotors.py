@@ -89,7 +89,8 @@ class Rotor:
 
 
 @checked
-def gyrostat_with_rotors(inertia: Sequence[Any], rotors: Sequence[Rotor], *, lumped: bool) -> Gyrostat:
+def gyrostat_with_rotors(inertia: Sequence[Any] | str, rotors: Sequence[Rotor], *, lumped: bool,
+                         products: str = "negative") -> Gyrostat:
     """Return the gyrostat that a body with rotors is.
 
     l is the sum of the momenta of the rotors. The tensor is that of the locked body, and without axial · a aᵀ
@@ -99,11 +100,13 @@ def gyrostat_with_rotors(inertia: Sequence[Any], rotors: Sequence[Rotor], *, lum
 
     Parameters
     ----------
-    inertia : (I1, I2, I3), or matrix, shape (3, 3)
+    inertia : (I1, I2, I3), or matrix, shape (3, 3), or text
         principal moments or tensor, about the centre of mass of the whole body or its fixed point [M L²]
     rotors : sequence of Rotor
     lumped : bool
         whether the tensor includes the rotors; if not, they are added, their masses being in it already
+    products : str
+        the sign of the products of inertia, as of Gyrostat
 
     Returns
     -------
@@ -123,12 +126,12 @@ def gyrostat_with_rotors(inertia: Sequence[Any], rotors: Sequence[Rotor], *, lum
     --------
     >>> import gyrostat as gs
     >>> wheel = gs.Rotor((0, 1, 0), axial="0.05 kg m^2", rate="3000 rpm")
-    >>> moments = "120 kg m^2", "110 kg m^2", "80 kg m^2"
+    >>> moments = "120, 110, 80 kg m^2"
     >>> body = gs.gyrostat_with_rotors(moments, [wheel], lumped=True)
     >>> body.moments, body.gyrostatic_momentum
     ((120, 110, 80), (0, 5*pi, 0))
     """
-    total, l = Matrix(Gyrostat(inertia, (0, 0, 0)).tensor), [S.Zero] * 3
+    total, l = Matrix(Gyrostat(inertia, (0, 0, 0), products).tensor), [S.Zero] * 3
     for n, rotor in enumerate(rotors, 1):
         if not lumped and rotor.transverse is None:
             raise BodyError(f"rotor {n} has no transverse moment of inertia, and the tensor is without the "

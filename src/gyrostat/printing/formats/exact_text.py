@@ -4,6 +4,11 @@ from functools import lru_cache
 from sympy import CRootOf, Expr, Rational
 from sympy.printing.str import StrPrinter
 
+from ...algebra.enclosures.balls import accurate
+
+LONGEST = 60                                           # characters of an exact number that is not asked for
+DIGITS, BITS = 17, 80                                  # of the decimal in its place
+
 
 class _Printer(StrPrinter):
     def _print_ComplexRootOf(self, root: CRootOf) -> str:
@@ -29,3 +34,20 @@ def exact_text(number: Expr) -> str:
         return str(number.p) if number.q == 1 else f"{number.p}/{number.q}"
     text: str = _Printer().doprint(number)
     return text
+
+
+def short_text(number: Expr) -> str:
+    """Return the text of a number if it has at most 60 characters, otherwise its first 17 digits.
+
+    Examples
+    --------
+    >>> from sympy import CRootOf, Symbol, sqrt
+    >>> x = Symbol("x")
+    >>> root = CRootOf(x**9 - 3*x**7 - 12*x**5 + 6*x**4 - 87*x**2 - 1, 0)
+    >>> short_text(sqrt(2) / 2), short_text(sqrt(2) * root)
+    ('sqrt(2)/2', '-2.8516457153309254')
+    """
+    text = exact_text(number)
+    if len(text) <= LONGEST or not (near := accurate(number, BITS)).is_finite():
+        return text
+    return str(near.mid().str(DIGITS, radius=False))

@@ -1,11 +1,12 @@
 """Makes data for JSON of scenes, reports and decisions; expressions are texts in the grammar."""
 import json
 import math
+import re
 from collections.abc import Mapping, Sequence
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
-from sympy import Expr, Float
+from sympy import Expr
 
 from ...algebra.enclosures.balls import accurate
 from ...mechanics.scenes.system import System
@@ -16,7 +17,7 @@ from ...stability.report.report import Report
 from ...stability.theorems.drift import Drift
 from ...version import DOCUMENT_FORMAT
 from ..results.boundary import ladder, undecided
-from .exact_text import exact_text
+from .exact_text import short_text
 
 if TYPE_CHECKING:
     from ...stability.normal_forms.d4_along_family import Window
@@ -41,14 +42,14 @@ def report_data(report: Report) -> dict[str, Any]:
     drift = {} if report.boundary is None or report.boundary.pole else {"drift": drift_data(report.drift)}
     relations = {str(name): str(value) for name, value in eq.relations}
     place: dict[str, Any] = {"point": strings(eq.point), "relations": relations}
-    if report.closed is not None:
-        return family | criteria | place | {"tangent_basis": None, "matrix": None,
-                                            "characteristic_polynomial": "lamda**4 + lamda**2*p + q"}
-    linear = report.linearization
     if rests_in_frame(eq):
         form = orientation_form(eq)
         place |= {"stiffness": [strings(row) for row in form.stiffness.tolist()],
                   "gyroscopic": strings(form.gyroscopic)}
+    if report.closed is not None:
+        return family | criteria | place | {"tangent_basis": None, "matrix": None,
+                                            "characteristic_polynomial": str(report.closed.polynomial)}
+    linear = report.linearization
     return family | criteria | drift | place | {
         "tangent_basis": [strings(row) for row in linear.basis.T.tolist()],
         "matrix": [strings(row) for row in eq.insert_field(linear.matrix).tolist()],
@@ -99,6 +100,8 @@ def condition_data(c: Condition) -> dict[str, Any]:
             "zero_where": strings(c.degenerate), "at": str(c.at)}
 
 
+# no text has a line break, so none looks like a list of numbers
+_VECTOR = re.compile(r"\[\n\s+(-?[\d.e+-]+(?:,\n\s+-?[\d.e+-]+)*)\n\s+\]")
 _text = lru_cache(maxsize=4096)(str)                     # the same margins come in every line of a batch
 
 
@@ -108,7 +111,7 @@ def decision_data(decision: Decision) -> dict[str, Any]:
             "modulo": strings(decision.modulo), "level": strings(decision.level),
             "locus": decision.locus, "rung": decision.rung.value,
             "proved": decision.proved, "reason": decision.reason,
-            "margins": {_text(margin): exact_text(value) for margin, value in decision.margins},
+            "margins": {_text(margin): short_text(value) for margin, value in decision.margins},
             "certificate": {str(F): str(a) for F, a in decision.certificate},
             "note": decision.note}
 
@@ -134,13 +137,8 @@ def window_data(window: "Window") -> dict[str, Any]:
 
 
 def number_data(number: Expr | None) -> dict[str, Any] | None:
-    """A number exactly and as a decimal; None stays None."""
-    return None if number is None else {"exact": exact_text(number), "decimal": double(number)}
-
-
-def rate_data(number: Expr) -> dict[str, Any]:
-    """The same of a number that may be known to some digits only."""
-    return {"exact": None if number.has(Float) else exact_text(number), "decimal": double(number)}
+    """A number exactly, if that is short, and as a decimal; None stays None."""
+    return None if number is None else {"exact": short_text(number), "decimal": double(number)}
 
 
 def double(number: Expr) -> float | None:
@@ -167,8 +165,9 @@ def document(data: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def json_text(data: Mapping[str, Any]) -> str:
-    """A document that every reader reads: its format first, and neither NaN nor Infinity."""
-    return json.dumps(document(data), indent=2, ensure_ascii=False, allow_nan=False) + "\n"
+    """A document that every reader reads: its format first, neither NaN nor Infinity, vectors in a line."""
+    text = json.dumps(document(data), indent=2, ensure_ascii=False, allow_nan=False)
+    return _VECTOR.sub(lambda found: f"[{' '.join(found[1].split())}]", text) + "\n"
 
 
 def strings(expressions: Any) -> list[str]:

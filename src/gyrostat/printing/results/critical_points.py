@@ -18,8 +18,9 @@ VECTORS = {"k": Word("k", "⟨vector_k⟩"), "M": Word("M", "⟨vector_M⟩"), "
 
 
 def relative_equilibrium(found: RelativeEquilibrium) -> list[Block]:
-    """Say where an equilibrium lies, on which set of others, and its verdict."""
-    return [sentence(f"{found.label} at ", *_place(found), _ended(found))]
+    """Say where an equilibrium lies, for a satellite by its angles too, on which set, and its verdict."""
+    turned = "" if found.attitude is None else f", {found.attitude}"
+    return [sentence(f"{found.label} at ", *_place(found), turned, _ended(found))]
 
 
 def critical_point(point: CriticalPoint) -> list[Block]:

@@ -37,7 +37,7 @@ from .rotations import (
     title_of,
 )
 from .scene import scene_blocks
-from .two_directions import casimirs, frame_blocks, parallel_blocks
+from .two_directions import casimirs, frame_blocks, frame_definitions, parallel_blocks
 
 # characters of a formula that does not go into a sentence
 LONG = 70
@@ -61,7 +61,7 @@ def conditions_blocks(report: Report) -> list[Block]:
             *integral_blocks(report),
             *boundary_blocks(report),
             *criterion_blocks("Under internal damping", report.damped, eq.at, "damped"),
-            *definition_blocks(report), *implied_blocks(report)]
+            *definition_blocks(report), *frame_definitions(report), *implied_blocks(report)]
 
 
 def report_blocks(report: Report) -> list[Block]:
@@ -69,10 +69,10 @@ def report_blocks(report: Report) -> list[Block]:
     eq = report.equilibrium
     blocks: list[Block] = [Heading(title_of(eq), label=eq.label), *point_blocks(eq),
                            *parallel_blocks(report)]
-    if report.closed is not None:
-        blocks += [Heading("Second variation and characteristic polynomial", 2), *definition_blocks(report)]
-    elif rests_in_frame(eq):
+    if rests_in_frame(eq):
         blocks += [*frame_blocks(report), *(_second_variation(report) if eq.system.linear_integrals else ())]
+    elif report.closed is not None:
+        blocks += [Heading("Second variation and characteristic polynomial", 2), *definition_blocks(report)]
     else:
         blocks += [*_linearization(report), *_second_variation(report)]
     modulo = ""

@@ -79,8 +79,8 @@ def family_blocks(eq: Equilibrium) -> list[Block]:
 
 
 def definition_blocks(report: Report) -> list[Block]:
-    """Define the names in which the conditions in any direction are written, if there are any."""
-    if report.closed is None:
+    """Define the names in which the conditions of a rotation are written, if there are any."""
+    if report.closed is None or report.equilibrium.system.coupled:
         return []
     letters, own = letters_of(report.equilibrium.system), report.closed.named
     return [sentence("Here ", letter(letters, "K"), " is the second variation of the amended potential ",

@@ -1,4 +1,5 @@
 """Describes scenes with two directions, or a coupling β, and an equilibrium at rest in their frame."""
+from collections.abc import Sequence
 from typing import Any
 
 from sympy import Add, Expr, ImmutableMatrix, Symbol
@@ -11,6 +12,7 @@ from ...registry import Letters
 from ...stability.criteria.orientation_form import orientation_form
 from ...stability.criteria.sextic import factors_in_squares
 from ...stability.report.report import Report
+from ...typesetting import typeset
 from ..blocks import Block, Display, Heading, Word, equations, listed, sentence
 from ..letters import letter, letters_of, word
 
@@ -70,12 +72,14 @@ def motion_form(scene: System) -> Word:
 
 
 def frame_blocks(report: Report) -> list[Block]:
-    """Write K, g and the factors of the sextic."""
-    eq = report.equilibrium
+    """Write K, g and the factors of the sextic; or its coefficients in names, if it is long."""
+    eq, heading = report.equilibrium, Heading("Linearised motion in the frame of the directions", 2)
+    if report.closed is not None:
+        return [heading, *frame_definitions(report)]
     form, letters = orientation_form(eq), letters_of(eq.system)
     K, square = letter(letters, "K"), symbol(letters.of("x"))
     blocks: list[Block] = [
-        Heading("Linearised motion in the frame of the directions", 2),
+        heading,
         sentence("If the body is turned by a small ", Word("θ", r"\theta"), ", it moves by ",
                  word(letters, *_MOTION), " with"),
         Display(K, ImmutableMatrix(form.stiffness.applyfunc(readable)), eq.at, label="K"),
@@ -89,6 +93,23 @@ def frame_blocks(report: Report) -> list[Block]:
     return blocks
 
 
+def frame_definitions(report: Report) -> list[Block]:
+    """Define the names in which the conditions of a body at rest are written, if there are any."""
+    eq, closed = report.equilibrium, report.closed
+    if closed is None or not eq.system.coupled:
+        return []
+    letters, own = letters_of(eq.system), closed.named
+    K, g = letter(letters, "K"), letter(letters, "g")
+    return [sentence("Here ", K, " and ", g, " are those of the motion ", word(letters, *_MOTION),
+                     " of the body, turned by a small ", Word("θ", r"\theta"), ", and ",
+                     *listed(own.coefficients), " the coefficients of its characteristic polynomial ",
+                     _sextic(letters, own.coefficients), ". ", K, " is the second variation, beside a "
+                     "positive form of the momenta."),
+            Display(K, ImmutableMatrix(own.K), eq.at, label="K"),
+            Display(g, ImmutableMatrix([own.g]), eq.at, label="g"),
+            *(Display(name, value, eq.at, label="definition") for name, value in closed.definitions)]
+
+
 def parallel_blocks(report: Report) -> list[Block]:
     """Say what the matrices and the conditions are about, if the directions are parallel."""
     if report.along is None:
@@ -98,6 +119,15 @@ def parallel_blocks(report: Report) -> list[Block]:
                      "such motions; if one of these motions grows, the equilibrium is unstable. The "
                      "sufficient conditions are for all motions. If they fail and none of these motions "
                      "grows, nothing is claimed.")]
+
+
+def _sextic(letters: Letters, coefficients: Sequence[Symbol]) -> Word:
+    """Write λ⁶ + a λ⁴ + b λ² + c."""
+    templates = {"text": "{0}⁶ + {1} {0}⁴ + {2} {0}² + {3}",
+                 "latex": r"{0}^6 + {1}\,{0}^4 + {2}\,{0}^2 + {3}"}
+    names = letters.of("lamda"), *(x.name for x in coefficients)
+    return Word(*(template.format(*(typeset(name, style=style) for name in names))
+                  for style, template in templates.items()))
 
 
 def _polynomial(coefficients: list[Expr], square: Symbol) -> Expr:

@@ -5,13 +5,14 @@ here uses the bracket, the linearisation or the criteria of the library, nor any
 """
 from typing import Any
 
-from sympy import Expr, Matrix, Rational, sqrt, zeros
+from sympy import Expr, Matrix, Rational, pi, sqrt, zeros
 
 from ..._cached import cached_property
 from ...algebra.reals.exact import sign_of_constant
 from ...algebra.text.grammar import parse
 from ...algebra.text.quantities import in_si
 from ...errors import PublishedError
+from ...mechanics.families.orbit_rates import CELESTIAL
 from ...notation import symbol
 from ..names.kinematics import Later
 from ..scenes import Scene
@@ -107,8 +108,14 @@ class InFrame(Model):
 
 def rate_of(scene: Scene) -> Expr:
     """Return ω0 of the orbit of a scene."""
-    given = {name: in_si(text, f"orbit {name}")[0] for name, text in scene.table["orbit"].items()}
-    return given["rate"] if "rate" in given else sqrt(given["mu"] / given["radius"] ** 3)
+    given = {name: in_si(text, f"orbit {name}")[0] for name, text in scene.table["orbit"].items()
+             if name != "body"}
+    if "period" in given:
+        return 2 * pi / given["period"]
+    around = CELESTIAL[scene.table["orbit"].get("body", "earth").strip().lower()]
+    if "height" in given:
+        return sqrt(around.mu / (around.radius + given["height"]) ** 3)
+    return given["rate"] if "rate" in given else sqrt(given.get("mu", around.mu) / given["radius"] ** 3)
 
 
 def _hat(v: Matrix) -> Matrix:

@@ -1,9 +1,12 @@
 """Turns a list of answers into data for JSON, with the note that all of them have."""
+import math
 from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
 
-from ...printing.formats.json_data import damped_data, decision_data, number_data, rate_data
+from ..._lazy import loaded
+from ...equilibria.relative_equilibrium import RelativeEquilibrium
+from ...printing.formats.json_data import damped_data, decision_data
 from ...stability.decision import Decision
 from .answers import Answer
 from .equilibria import Missing
@@ -11,11 +14,10 @@ from .equilibria import Missing
 
 def note_once(answers: Sequence[Answer | Missing]) -> tuple[str, list[Answer | Missing]]:
     """The note that all decisions of a list have, and the list without it; "" if the notes differ."""
-    decided = [a for a in answers if isinstance(a, Answer)]
-    notes = {a.decision.note for a in decided}
-    if len(decided) < 2 or len(notes) > 1:
+    notes = [a.decision.note for a in answers if isinstance(a, Answer)]
+    if len(notes) < 2 or len({*notes}) > 1:
         return "", list(answers)
-    return notes.pop(), [a if isinstance(a, Missing) else
+    return notes[0], [a if isinstance(a, Missing) else
                          replace(a, decision=replace(a.decision, note=""), damped=_bare(a.damped),
                                  itself=_bare(a.itself)) for a in answers]
 
@@ -24,25 +26,44 @@ def _bare(decision: Decision | None) -> Decision | None:
     return None if decision is None else replace(decision, note="")
 
 
-def answers_data(answers: Sequence[Answer | Missing]) -> dict[str, Any]:
-    """The answers as data for JSON, with a common note once."""
+def answers_data(answers: Sequence[Answer | Missing], exact: bool = False) -> dict[str, Any]:
+    """The answers as data for JSON, with a common note once; exact numbers if they are asked for."""
     note, bare = note_once(answers)
-    return _listed(bare) | ({"note": note} if note else {})
-
-
-def _listed(answers: Sequence[Answer | Missing]) -> dict[str, Any]:
-    return {"equilibria": [a.data() if isinstance(a, Missing) else _data(a) for a in answers]}
+    listed = [a.data() if isinstance(a, Missing) else {"number": n} | _data(a) | (_exact(a) if exact else {})
+              for n, a in enumerate(bare, 1)]
+    return {"equilibria": listed} | ({"note": note} if note else {})
 
 
 def _data(answer: Answer) -> dict[str, Any]:
     """The same keys for every kind of scene; frequencies and growth rate of what was found at a point."""
     found, damped, itself = answer.found, answer.damped, answer.itself
-    at_point, growth = answer.at_point, answer.rates.get("growth_rate")
-    return {"label": found.label if found is not None and answer.place else answer.label,
+    return {"label": found.label if found is not None and answer.listed else answer.label,
             "locus": "" if found is None else found.locus,
-            "place": {name: number_data(x) for name, x in answer.place.items()},
-            "frequencies": None if at_point is None else [rate_data(x) for x in at_point.frequencies],
-            "growth_rate": None if growth is None else rate_data(growth),
+            "place": _finite(found.doubles.place) if found is not None and answer.listed else {},
+            "attitude": None if found is None or found.attitude is None else found.attitude.data,
+            **_rates(answer.at_point),
             "decision": decision_data(answer.decision),
             "damped_decision": None if damped is None else damped_data(damped),
             "itself": None if itself is None else decision_data(itself)}
+
+
+def _rates(found: RelativeEquilibrium | None) -> dict[str, Any]:
+    """The rates of the small motions; all null if they vary, or if they are not known."""
+    names = "frequencies", "frequencies_per_orbit", "growth_rate", "doubling_time"
+    return {name: None if found is None else _finite(getattr(found.doubles, name)) for name in names}
+
+
+def _finite(numbers: Any) -> Any:
+    """Doubles, several or one; null for one that is too large, as JSON has no infinity."""
+    if isinstance(numbers, dict):
+        return {name: _finite(x) for name, x in numbers.items()}
+    if isinstance(numbers, tuple):
+        return [_finite(x) for x in numbers]
+    return numbers if numbers is not None and math.isfinite(numbers) else None
+
+
+def _exact(answer: Answer) -> dict[str, Any]:
+    """Place, frequencies and growth rate by polynomials, if they are known exactly."""
+    exact_data = loaded("printing.formats.exact_numbers:exact_data")
+    numbers = {name: exact_data(x) for name, x in (answer.place | answer.rates).items() if x is not None}
+    return {"exact": {name: x for name, x in numbers.items() if x is not None}}

@@ -13,6 +13,7 @@ from ...stability.decision import Decision, Verdict
 from .answers import Answer
 
 NO_EQUILIBRIUM = "none"
+ANGLES, DEGREES = ("roll", "pitch", "yaw"), "deg"
 
 
 def answer_table(answers: Sequence[Answer], with_units: bool, width: int) -> str:
@@ -28,18 +29,35 @@ def answer_table(answers: Sequence[Answer], with_units: bool, width: int) -> str
     width : int
         of a line
     """
+    columns = [*place_columns(answers, with_units), *verdict_columns(answers)]
+    return "\n".join([*wrap(counted(answers), width), "", table_text(columns, notes_of(answers), width), ""])
+
+
+def place_columns(answers: Sequence[Answer], with_units: bool) -> list[Column]:
+    """Number, name and place of each; a satellite is placed by its angles against t, n and r."""
     labels = [_label(a) for a in answers]
     columns = [Column("#", [str(n) for n in range(1, len(answers) + 1)], number=True)]
     if len(set(labels)) > 1:
         columns.append(Column("name", labels))
     places = [_place(a) for a in answers]
-    columns += [Column(unicode(parse(name)), [place.get(name, "") for place in places],
-                       answers[0].unit_of(name) if with_units else "", number=True)
-                for name in dict.fromkeys(name for place in places for name in place)]
-    columns += [Column("verdict", [_verdict(a.decision) for a in answers]),
-                Column("damped", [_verdict(a.damped) for a in answers])]
-    notes = ["" if a.found is None or not a.found.locus else a.found.locus for a in answers]
-    return "\n".join([*wrap(_counted(answers, labels), width), "", table_text(columns, notes, width), ""])
+    return columns + [Column(name if name in ANGLES else unicode(parse(name)),
+                             [place.get(name, "") for place in places],
+                             DEGREES if name in ANGLES else answers[0].unit_of(name) if with_units else "",
+                             number=True)
+                      for name in dict.fromkeys(name for place in places for name in place)]
+
+
+def verdict_columns(answers: Sequence[Answer]) -> list[Column]:
+    """The two verdicts of each."""
+    return [Column("verdict", [_verdict(a.decision) for a in answers]),
+            Column("damped", [_verdict(a.damped) for a in answers])]
+
+
+def notes_of(answers: Sequence[Answer]) -> list[str]:
+    """What stands below a row: the set of equilibria, and what is determined if pitch is ±90°."""
+    found = [a.found for a in answers]
+    return ["; ".join(filter(None, (e.locus, "" if e.attitude is None else e.attitude.note))) if e else ""
+            for e in found]
 
 
 def legend(answers: Sequence[Answer]) -> str:
@@ -50,6 +68,10 @@ def legend(answers: Sequence[Answer]) -> str:
     said += [f"at {name}: for motions that keep {name}." for name in _occurring(d.level for d in decisions)]
     if any(d.locus for d in decisions):
         said.append("as a set: the set of equilibria is stable, its points need not be.")
+    if any(a.found is not None and a.found.attitude is not None for a in answers):
+        said.append("From the axes t along the velocity, n along the normal of the orbit and r away from the "
+                    "Earth the body is turned by yaw about r, then by pitch about axis 2, then by roll about "
+                    "axis 1.")
     if any(a.damped is None for a in answers):
         said.append(f"{NO_EQUILIBRIUM}: no equilibrium under damping, because ω turns in the body.")
     return " ".join([*said, "Decimals are rounded."])
@@ -60,8 +82,9 @@ def _occurring(lists: Iterable[Iterable[Expr]]) -> list[str]:
     return list(dict.fromkeys(", ".join(map(unicode, integrals)) for integrals in lists if integrals))
 
 
-def _counted(answers: Sequence[Answer], labels: Sequence[str]) -> str:
+def counted(answers: Sequence[Answer]) -> str:
     """How many equilibria there are, and how many of each verdict."""
+    labels = [_label(a) for a in answers]
     verdicts = Counter(a.decision.verdict for a in answers)
     label = f" ({labels[0]})" if len(set(labels)) == 1 else ""
     counts = ", ".join(f"{verdicts[verdict]} {verdict.name.lower()}" for verdict in Verdict
@@ -76,15 +99,24 @@ def _label(answer: Answer) -> str:
 def _place(answer: Answer) -> dict[str, str]:
     """Where it lies, and how fast it turns, in cells; of a pole that was named its k3.
 
-    A body of revolution is placed by the tilt of its axis; the rate of an orbit, which is given, is left out.
+    A satellite is placed by roll, pitch and yaw; two of them are empty if pitch is ±90°. A body of revolution
+    is placed by the tilt of its axis; the rate of an orbit, which is given, is left out.
     """
     found = answer.found
     if found is None:
         return {"k3": in_a_cell(answer.at)} if answer.at.is_number else {}
+    if found.attitude is not None:
+        angles = found.attitude.roll, found.attitude.pitch, found.attitude.yaw
+        return dict(zip(ANGLES, map(_degrees, angles)))
     if all(isinstance(name, Expr) for name, _ in found.form.described):
         return {str(name): in_a_cell(value) for name, value in found.form.described}
     cells = {name: cell for names, numbers in answer.placed for name, cell in zip(names, in_cells(numbers))}
     return cells | {name: in_a_cell(x) for name, x in found.rates.items() if name != "omega0"}
+
+
+def _degrees(angle: float | None) -> str:
+    """An angle with two decimals."""
+    return "" if angle is None else f"{round(angle, 2) + 0.0:.2f}".replace("-", "−")
 
 
 def _verdict(decision: Decision | None) -> str:

@@ -37,7 +37,7 @@ def edges(report: Report, values: Mapping[str, str], axes: Sequence[str],
                              *expressions(report.necessary)))
     numbers = {symbol(name): exact_number(text, name) for name, text in values.items() if name not in axes}
     known = [margin.xreplace(numbers) for margin in margins]
-    across, upwards = ([_rational(exact_number(end, "end")) for end in pair] for pair in ends)
+    across, upwards = ([_rational(exact_number(end, name)) for end in pair] for name, pair in zip(axes, ends))
     x, y = map(symbol, axes)
     columns = _along(report, dict(zip(margins, (_plane(margin, x, y) for margin in known))), across, upwards)
     rows = _along(report, dict(zip(margins, (_plane(margin, y, x) for margin in known))), upwards, across)

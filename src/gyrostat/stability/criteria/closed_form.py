@@ -3,27 +3,21 @@
 Each name stands for a vector or a matrix of the amended potential (AmendedForm). In any direction, and
 wherever the trace is long, conditions are written in these names: written out they would be too long to read.
 """
-from collections.abc import Callable, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from flint import fmpq
 from sympy import Expr, Matrix, Symbol, sympify
 
 from ..._cached import cached_property
-from ...algebra.enclosures.rationals import to_sympy
-from ...algebra.reals.exact import Point, compiled, evaluate
-from ...algebra.rings.matrices import blocks, cross
+from ...algebra.rings.matrices import cross
 from ...algebra.rings.polynomials import Ring, cancel, lowest_terms
-from ...mechanics.equilibrium.coadjoint_orbit import orbit_tangent
 from ...mechanics.equilibrium.derivation_ring import rows_at_point
 from ...mechanics.equilibrium.derived_once import once
 from ...mechanics.equilibrium.equilibrium import Equilibrium, Relation
 from ...mechanics.equilibrium.standard_axes import seen
 from ...mechanics.equilibrium.unit_vectors import in_any_direction
-from ...mechanics.scenes.system import System, names_of_scene
-from ...notation import Stored, symbol
-from ...registry import Letters
+from ...notation import symbol
 from ..notion import Notion
 from .amended_form import (
     UPPER,
@@ -35,32 +29,24 @@ from .amended_form import (
     with_multiplier,
 )
 from .conditions import Condition, Criterion
-from .energy_casimir import form_on, multipliers
-from .numbers_asked import names_in
+from .defined_names import SHORT, Chosen, DefinedNames
 
-SHORT = 25                                                 # terms of t with which margins are written out
+LAMBDA = symbol("lamda")
 
 
 class Named:
-    """The names in which the conditions are written; others, if the scene has one of them already.
+    """The names in which the conditions of a rotation are written."""
 
-    Parameters
-    ----------
-    scene : System
-    """
-
-    def __init__(self, scene: System):
-        letters = Letters(s.name for s in names_of_scene(scene))
-        self.J, self.G, self.trace, self.determinant, self.p, self.q = (
-            symbol(letters.of(name)) for name in ("J", "G", "t", "s", "p", "q"))
+    def __init__(self, eq: Equilibrium):
+        names = Chosen(eq)
+        self.J, self.G, self.trace, self.determinant, self.p, self.q = names.of(*"JGtspq")
         self.discriminant = self.p**2 - 4 * self.q
-        self.v = tuple(symbol(letters.of(f"v{n}")) for n in (1, 2, 3))
-        self.K, self.A = ([[symbol(letters.of(f"{name}{min(i, j)}{max(i, j)}")) for j in (1, 2, 3)]
-                           for i in (1, 2, 3)] for name in "KA")
+        self.v = names.of("v1", "v2", "v3")
+        self.K, self.A = map(names.symmetric, "KA")
 
 
 @dataclass(frozen=True)
-class ClosedForm(Stored):
+class ClosedForm(DefinedNames):
     """What decides a permanent rotation of a body in a field, by names that are defined in turn.
 
     Parameters
@@ -69,13 +55,12 @@ class ClosedForm(Stored):
         without integrals; k is not along an axis of the body
     """
 
-    equilibrium: Equilibrium
     _carried = "named", "forms"
 
     @cached_property
     def named(self) -> Named:
         """The names in which the conditions are written."""
-        return Named(self.equilibrium.system)
+        return Named(self.equilibrium)
 
     @cached_property
     def definitions(self) -> tuple[Relation, ...]:
@@ -113,6 +98,21 @@ class ClosedForm(Stored):
         form = self.invariants
         return [*form, form.p**2 - 4 * form.q]
 
+    @property
+    def determinant(self) -> Expr:
+        """The determinant s in the names of the family."""
+        return self.invariants.determinant
+
+    @property
+    def polynomial(self) -> Expr:
+        """The characteristic polynomial λ⁴ + p λ² + q."""
+        return LAMBDA**4 + self.named.p * LAMBDA**2 + self.named.q
+
+    @property
+    def blocks(self) -> list[tuple[Expr, ...]]:
+        """The trace t and the determinant s of D²U_c across k."""
+        return [(self.named.trace, self.named.determinant)]
+
     def criterion(self, notion: Notion) -> Criterion:
         """Return the spectral, formal or secular criterion in these names."""
         own = self.named
@@ -123,32 +123,9 @@ class ClosedForm(Stored):
         return Criterion(notion, (tuple(Condition(margin, notion != Notion.SPECTRAL, name, (), at)
                                         for margin, name in wanted),))
 
-    @cached_property
-    def required(self) -> tuple[str, ...]:
-        """The names that a verdict needs."""
-        eq = self.equilibrium
-        return names_in([*self._flat, *eq.existence(), *eq.constraints, *eq.point[3:]])
-
-    def at(self, numbers: Point) -> AmendedForm:
-        """Return the four numbers at a point, exactly, without inserting the definitions into each other."""
-        try:
-            entries, places = self._program or ([], [])
-            known = [_value(entry, numbers) for entry in entries]
-        except KeyError:                                   # a number that is not rational
-            places = []
-        if not places:
-            return with_multiplier(*_shaped([evaluate(e, numbers) for e in self._flat]))
-        return AmendedForm(*map(to_sympy, with_multiplier(*_shaped([known[n] for n in places]))))
-
-    def with_names(self, numbers: Point) -> Point:
-        """Return numbers with those of t, s, p and q besides, in which the conditions are written."""
+    def _computed(self, flat: Sequence[Any]) -> Iterator[tuple[Symbol, Any]]:
         own = self.named
-        return numbers.joined(zip((own.trace, own.determinant, own.p, own.q), self.at(numbers)))
-
-    def values(self, number: Callable[[Expr], Any]) -> dict[Symbol, Any]:
-        """Return t, s, p and q by name, if number gives expressions of the family in an arithmetic."""
-        found, own = with_multiplier(*_shaped([number(e) for e in self._flat])), self.named
-        return dict(zip((own.trace, own.determinant, own.p, own.q), found))
+        return zip((own.trace, own.determinant, own.p, own.q), with_multiplier(*_shaped(flat)))
 
     @cached_property
     def momentum_across(self) -> list[Expr]:
@@ -166,9 +143,8 @@ class ClosedForm(Stored):
         eq, body = self.equilibrium, self.equilibrium.system.body
         potential, k = eq.system.potential, eq.point[3:]
         assert potential is not None
-        rates = body.inverse * Matrix(eq.point[:3])
         axis = next(n for n, x in enumerate(k) if x != 0)
-        omega = lowest_terms(eq.insert(rates[axis] / k[axis]))
+        omega = lowest_terms(eq.insert(eq.energy_gradient[axis] / k[axis]))
         inertia = [[eq.insert(x) for x in row] for row in body.tensor.tolist()]
         rotor = [eq.insert(l) for l in body.gyrostatic_momentum]
         gradient = [eq.at_point(d) for d in potential.gradient()]
@@ -182,13 +158,6 @@ class ClosedForm(Stored):
         inertia, rotor, hessian, k, omega, mu = self.forms
         flat = [x for form in (inertia, [rotor], hessian, [k]) for row in form for x in row]
         return [*map(sympify, flat), omega, mu]
-
-    @cached_property
-    def _program(self) -> tuple[list[Any], list[int]] | None:
-        """The different entries of the forms, compiled, and the place of each; None if one is no fraction."""
-        entries = list(dict.fromkeys(self._flat))
-        program = list(map(compiled, entries))
-        return None if None in program else (program, [entries.index(e) for e in self._flat])
 
 
 closed_form = once(ClosedForm)                             # derived once for each family
@@ -214,10 +183,15 @@ def in_names(eq: Equilibrium) -> ClosedForm | None:
 
 
 def _splits(eq: Equilibrium) -> bool:
-    """Tell whether the second variation on the orbit is made of several blocks."""
-    casimirs = eq.system.space.casimirs
-    _, form, _ = form_on(eq, orbit_tangent(eq), zip(casimirs, multipliers(eq, casimirs)))
-    return len(blocks(form)) > 1
+    """Tell whether the second variation on the orbit splits into several blocks in the axes of the body.
+
+    It does if two axes span a plane of symmetry of I and of D²U that has k and l in it; or if the body is at
+    rest, and l is along k.
+    """
+    inertia, rotor, hessian, k, omega, _ = closed_form(eq).forms
+    across = ([k[n], rotor[n], *(form[n][m] for form in (inertia, hessian) for m in range(3) if m != n)]
+              for n in range(3))
+    return any(not any(map(lowest_terms, group)) for group in ([omega, *cross(rotor, k)], *across))
 
 
 def _shaped(flat: Sequence[Any]) -> tuple[Any, ...]:
@@ -232,10 +206,3 @@ def _on_sphere(expression: Expr, square: Expr) -> Expr:
     top, bottom = ring.fraction(expression)
     quotient, rest = divmod(top, ring.numerator(square))
     return lowest_terms(expression) if rest else ring.quotient(quotient, bottom)
-
-
-def _value(entry: Any, numbers: Point) -> fmpq:
-    """Return the value of a compiled fraction at numbers; KeyError if one of them is not rational."""
-    symbols, top, bottom = entry
-    point = [numbers.rational[s] for s in symbols]
-    return top(*point) if bottom is None else top(*point) / bottom(*point)

@@ -107,7 +107,7 @@ def multipliers(eq: Equilibrium, functions: Sequence[Expr]) -> tuple[Expr, ...]:
     (-pi3_0/I3, (-I3*dU/2 + l*pi3_0/2 + pi3_0**2/2)/I3)
     """
     columns = differentials(eq, functions)
-    energy = [entry for (entry,) in rows_at_point(eq, eq.system.energy_gradient)]
+    energy = eq.energy_gradient
     signs = signs_over(eq, [*(entry for column in columns for entry in column), *energy])
     ring = signs.ring
     rows = [ring.matrix([row])[0][0] for row in zip(*columns, energy)]

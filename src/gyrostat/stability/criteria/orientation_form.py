@@ -6,6 +6,7 @@ from typing import NamedTuple
 
 from sympy import Expr, ImmutableMatrix, zeros
 
+from ...algebra.rings.matrices import blocks
 from ...algebra.rings.polynomials import lowest_terms
 from ...mechanics.equilibrium.derived_once import once
 from ...mechanics.equilibrium.equilibrium import Equilibrium
@@ -106,3 +107,9 @@ def stiffness_with(eq: Equilibrium, beta: ImmutableMatrix) -> ImmutableMatrix:
     # symmetric at an equilibrium: the torque Σ a × V_a vanishes; half of the entries are enough
     half = {(i, j): lowest_terms(K[i, j]) for i in range(3) for j in range(i + 1)}
     return ImmutableMatrix(3, 3, lambda i, j: half[max(i, j), min(i, j)])
+
+
+def minors_of_stiffness(K: ImmutableMatrix) -> list[tuple[str, int, Expr]]:
+    """Return the leading principal minors of each block of K, or of a part of it, with names and orders."""
+    return [(f"minor {n} of K", n, K.extract(block[:n], block[:n]).det(method="berkowitz"))
+            for block in blocks(K.tolist()) for n in range(1, len(block) + 1)]

@@ -4,6 +4,7 @@ All λ are imaginary if all roots x = λ² of every factor are real and at most 
 the discriminant.
 """
 from collections.abc import Sequence
+from typing import Any
 
 from flint import fmpq_mpoly
 from sympy import Expr
@@ -61,6 +62,10 @@ def items_of_monic(monic: list[Fraction], signs: Signs) -> list[Item]:
         items.append(Item(*discriminant, False, "p² − 4q"))
     if len(monic) == 3:
         (a, d), (b, _), (c, _) = monic
-        D = a**2 * b**2 - 4 * b**3 * d - 4 * a**3 * c + 18 * a * b * c * d - 27 * c**2 * d**2
-        items.append(Item(*signs.split(D, d**4), False, "Δ"))
+        items.append(Item(*signs.split(cubic_discriminant(a, b, c, d), d**4), False, "Δ"))
     return items
+
+
+def cubic_discriminant(a: Any, b: Any, c: Any, d: Any = 1) -> Any:
+    """Return Δ d⁴ of x³ + (a x² + b x + c)/d, in any arithmetic."""
+    return a**2 * b**2 - 4 * b**3 * d - 4 * a**3 * c + 18 * a * b * c * d - 27 * c**2 * d**2

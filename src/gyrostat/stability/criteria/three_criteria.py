@@ -17,11 +17,11 @@ from .conditions import Criterion, condition_of
 from .energy_casimir import SecondVariation, augmented_hessian
 from .implication import Item, eliminate, merge, reduced
 from .linearization import Linearization
-from .orientation_form import orientation_form, rests_in_frame
+from .orientation_form import minors_of_stiffness, orientation_form, rests_in_frame
 from .sextic import factors_in_squares, items_of_factors, items_of_monic
 
 if TYPE_CHECKING:
-    from .closed_form import ClosedForm
+    from .defined_names import DefinedNames
 
 Minor = tuple[str, int, Expr]                              # its name, its order, the minor itself
 
@@ -176,9 +176,11 @@ def across(variation: SecondVariation) -> list[Minor]:
     return [("t", 1, lowest_terms(form.trace)), ("s", 2, lowest_terms(form.determinant))]
 
 
-def in_names(eq: Equilibrium) -> "ClosedForm | None":
-    """Return the closed form in whose names conditions are written if they are long; else None."""
-    return loaded("stability.criteria.closed_form:in_names")(eq) if eq.system.kind is Kind.FIELD else None
+def in_names(eq: Equilibrium) -> "DefinedNames | None":
+    """Return the names in which conditions are written if they are long, with definitions; else None."""
+    if eq.system.kind is Kind.FIELD:
+        return loaded("stability.criteria.closed_form:in_names")(eq)
+    return loaded("stability.criteria.sextic_in_names:in_names")(eq) if rests_in_frame(eq) else None
 
 
 def stiffness(variation: SecondVariation) -> Matrix | None:
@@ -195,12 +197,6 @@ def of_stiffness(variation: SecondVariation) -> list[Minor]:
     """Return the leading principal minors of each block of K."""
     K = stiffness(variation)
     return [] if K is None else minors_of_stiffness(K)
-
-
-def minors_of_stiffness(K: Matrix) -> list[Minor]:
-    """Return the leading principal minors of each block of K, or of a part of it."""
-    return [(f"minor {n} of K", n, K.extract(block[:n], block[:n]).det(method="berkowitz"))
-            for block in blocks(K.tolist()) for n in range(1, len(block) + 1)]
 
 
 def _on_sphere(variation: SecondVariation) -> tuple[Expr, ...]:

@@ -31,7 +31,7 @@ from ..decision import Decision, Rung, settled, undecided
 from ..notion import Notion
 
 if TYPE_CHECKING:
-    from ..criteria.closed_form import ClosedForm
+    from ..criteria.defined_names import DefinedNames
 
 KEPT = "damping takes energy, which has a strict minimum on the orbit"
 LOST = "damping takes energy, which has no minimum on the orbit: the equilibrium becomes unstable"
@@ -72,7 +72,7 @@ class Secular(Stored):
     _carried = "closed", "criterion", "compared", "required", "counted_by", "_coefficients", "exceptions"
 
     @cached_property
-    def closed(self) -> "ClosedForm | None":
+    def closed(self) -> "DefinedNames | None":
         """The names in which the criterion is written, if it is too long to be written out; else None."""
         return None if self.expanded else in_names(self.equilibrium)
 
@@ -174,7 +174,7 @@ class Secular(Stored):
         The blocks are those of the second variation, or of its part across k, or of K.
         """
         if self.closed:
-            return Counter([(self.closed.named.trace, self.closed.named.determinant)])
+            return Counter(self.closed.blocks)
         eq, K = self.equilibrium, stiffness(self.variation)
         if found := across(self.variation):
             return Counter([tuple(eq.insert(x) for _, _, x in found)])

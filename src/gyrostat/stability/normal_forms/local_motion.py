@@ -7,14 +7,15 @@ from dataclasses import dataclass
 from math import factorial
 from typing import Any
 
-from flint import acb, fmpq
+from flint import acb, arb, fmpq
 from sympy import Add, Expr, Mul, Pow, Rational, S, Symbol, preorder_traversal
 
 from ..._cached import cached_property
 from ...algebra.enclosures.balls import ball
-from ...algebra.enclosures.precision import own_precision
+from ...algebra.enclosures.precision import doubled, own_precision
 from ...algebra.reals.exact import Point, evaluate
 from ...algebra.rings.series import Part, Series, composed
+from ...algebra.solving.real_fields import FieldNumbers, are_fractions, balls
 from ...mechanics.equilibrium.derived_once import once
 from ...mechanics.equilibrium.equilibrium import Equilibrium
 from ...mechanics.scenes.potential import DIRECTIONS
@@ -28,6 +29,20 @@ PRECISION = 128                                            # bits that decide ne
 
 
 @dataclass(frozen=True)
+class InBalls:
+    """Takes an expression into balls of a precision, or each of a sequence."""
+
+    precision: int
+
+    def __call__(self, x: Expr) -> arb:
+        return ball(x, self.precision)
+
+    def each(self, numbers: Sequence[Expr]) -> list[arb]:
+        """Return all of them; those of FieldNumbers need no expressions."""
+        return balls(numbers, self.precision)
+
+
+@dataclass(frozen=True)
 class LocalMotion:
     """A body in a field near an equilibrium on its coadjoint orbit; every number is exact.
 
@@ -35,8 +50,10 @@ class LocalMotion:
     ----------
     inverse : tuple of tuple of Expr, shape (3, 3)
         the inverse of the tensor of inertia [1/(M L²)]
-    rotor, k, momentum : tuple of Expr, shape (3,)
-        l and M = π + l [M L²/T], and the direction
+    rotor : tuple of Expr, shape (3,)
+        l [M L²/T]
+    k, momentum : sequence of Expr, shape (3,)
+        the direction, and M = π + l [M L²/T]; FieldNumbers are enclosed without their expressions
     potential : Expr
         U in k1, k2, k3; if only its derivatives are given, their Taylor polynomial
     coefficients : callable
@@ -49,8 +66,8 @@ class LocalMotion:
 
     inverse: tuple[tuple[Expr, ...], ...]
     rotor: tuple[Expr, ...]
-    k: tuple[Expr, ...]
-    momentum: tuple[Expr, ...]
+    k: Sequence[Expr]
+    momentum: Sequence[Expr]
     potential: Expr
     coefficients: Callable[[], tuple[Expr, Expr]]
     square_of_k: Expr = S.One
@@ -81,20 +98,23 @@ class LocalMotion:
     def rational(self) -> bool:
         """Whether every number is rational, and U a fraction of polynomials with rational coefficients."""
         nodes = list(preorder_traversal(self.potential))
-        return (all(isinstance(x, Rational) for x in self.entries)
+        return (all(map(are_fractions, (*self.inverse, self.rotor, self.k, self.momentum)))
                 and all(isinstance(x, Rational | Symbol | Add | Mul | Pow) for x in nodes)
                 and all(x.exp.is_Integer for x in nodes if isinstance(x, Pow)))
 
     def energy(self, degree: int, number: Number) -> list[Part]:
         """Return h on the orbit in canonical coordinates, in homogeneous parts, in a ring of numbers."""
         # the chart has a pole on its third axis: the one that is farthest from k
-        upright = min(range(3), key=lambda n: _along(self.k[n]))
+        far = _along(self.k)
+        upright = far.index(min(far))
 
         def potential(places: Sequence[Series]) -> Series:
             return composed(self.potential, dict(zip(DIRECTIONS, places)), number)
 
         inverse = [[number(x) for x in row] for row in self.inverse]
-        rotor, k, momentum = ([number(x) for x in vector] for vector in (self.rotor, self.k, self.momentum))
+        rotor, k, momentum = (
+            number.each(vector) if isinstance(number, InBalls) else [number(x) for x in vector]
+            for vector in (self.rotor, self.k, self.momentum))
         return energy_on_orbit(inverse, rotor, k, momentum, potential, upright, degree,
                                number(self.square_of_k))
 
@@ -109,7 +129,7 @@ class LocalMotion:
 
         It is called inside own_precision.
         """
-        parts = self.energy(degree, lambda x: ball(x, precision))
+        parts = self.energy(degree, InBalls(precision))
         A = linear_motion(parts[2])
         p, q = characteristic(A)
         root = (p**2 - 4 * q).sqrt()
@@ -117,9 +137,15 @@ class LocalMotion:
         return parts, modes(A, p, (acb(0, squares[0].sqrt()), acb(0, squares[1].sqrt()))).oriented()
 
 
-def _along(x: Expr) -> float:
-    """Return how far along an axis a component of k is, and the most if it has no number."""
-    return 1.0 if x.free_symbols else abs(float(ball(x, 64).mid()))
+def _along(k: Sequence[Expr]) -> list[float]:
+    """Return how far k is along each axis, and the most where it has no number."""
+    if not isinstance(k, FieldNumbers):
+        return [1.0 if x.free_symbols else abs(float(ball(x, 64).mid())) for x in k]
+    for precision in doubled(PRECISION):
+        near = k.balls(precision)
+        if all(x.is_finite() for x in near):
+            break
+    return [abs(float(x.mid())) for x in near]
 
 
 def fraction(x: Expr) -> fmpq:

@@ -4,7 +4,6 @@ The theorems are those of Sokolskii (1:1) and Markeev (1:2 and 1:3), on the reso
 docs/explanation/derivations/d4.md, section 9.
 """
 from collections.abc import Iterator
-from functools import partial
 from typing import Any
 
 from flint import acb, arb, fmpq
@@ -12,11 +11,11 @@ from flint import acb, arb, fmpq
 from ...algebra.enclosures.balls import ball
 from ...algebra.enclosures.precision import own_precision
 from ...algebra.reals.eigenvalues import in_ratio
-from ...algebra.rings.series import is_zero, substituted
+from ...algebra.rings.series import Part, is_zero, substituted
 from ..decision import C1, Decision, Rung, settled, undecided
 from ..notion import Notion
 from .birkhoff import W1, W2, Z1, Z2, colliding, linear_motion, modes, normalised, not_zero, real, twist
-from .local_motion import LocalMotion, Number, fraction
+from .local_motion import InBalls, LocalMotion, fraction
 
 PRECISIONS = (128, 512, 2048)                              # bits, one after the other
 NOTION = Notion.ARNOLD_MOSER
@@ -32,9 +31,8 @@ def second_order_resonance(motion: LocalMotion) -> Decision:
     148-162.
     """
     said = "the frequencies are equal (1:1, Hamiltonian-Hopf)"
-    for number, value in _rings(motion, fmpq(2), 1):
-        parts = motion.energy(4, number)
-        product = colliding(linear_motion(parts[2]), number(motion.p), value[0], parts)
+    for parts, p, values in _rings(motion, fmpq(2), 1):
+        product = colliding(linear_motion(parts[2]), p, values[0], parts)
         if product is None:
             continue                                       # in balls the next precision may prove one
         if sign := sign_of(product):
@@ -56,9 +54,8 @@ def third_order_resonance(motion: LocalMotion) -> Decision:
     """
     said = "resonance 1:2"
     terms = Z1 + 2 * W2, W1 + 2 * Z2
-    for number, values in _rings(motion, fmpq(5), 2):
-        parts = motion.energy(4, number)
-        found = modes(linear_motion(parts[2]), number(motion.p), values)
+    for parts, p, values in _rings(motion, fmpq(5), 2):
+        found = modes(linear_motion(parts[2]), p, values)
         b = substituted(parts[3], found.forms, terms).get(terms[0], 0)
         if not_zero(b):
             return _settled(False, f"{said}, the coefficient b of z1 z2² is not 0 (Markeev)")
@@ -80,9 +77,8 @@ def fourth_order_resonance(motion: LocalMotion) -> Decision:
     """
     said = "resonance 1:3"
     terms = Z1 + 3 * W2, W1 + 3 * Z2
-    for number, values in _rings(motion, fmpq(10), 3):
-        parts = motion.energy(4, number)
-        found = modes(linear_motion(parts[2]), number(motion.p), values)
+    for parts, p, values in _rings(motion, fmpq(10), 3):
+        found = modes(linear_motion(parts[2]), p, values)
         quartic = normalised(parts, found, terms)[4]
         r, D = quartic.get(terms[0], 0), real(twist(quartic, found))
         actions = real(values[1] / found.norms[0]), real(values[0] / found.norms[1])
@@ -106,18 +102,21 @@ def _settled(stable: bool, why: str) -> Decision:
     return settled(False, why, Rung.RESONANCE)
 
 
-def _rings(motion: LocalMotion, parts: fmpq, ratio: int) -> Iterator[tuple[Number, tuple[Any, Any]]]:
-    """Yield numbers and eigenvalues in a ratio, −p = parts λ2².
+def _rings(motion: LocalMotion, squares: fmpq, ratio: int
+           ) -> Iterator[tuple[list[Part], Any, tuple[Any, Any]]]:
+    """Yield the energy to degree 4, p, and eigenvalues in a ratio, −p = squares λ2².
 
     They are exact if all numbers are rational, else in balls of more and more bits.
     """
     if motion.rational:
-        yield fraction, in_ratio(-fraction(motion.p) / parts, ratio)
+        p = fraction(motion.p)
+        yield motion.energy(4, fraction), p, in_ratio(-p / squares, ratio)
         return
     for precision in PRECISIONS:
         with own_precision(precision):
-            omega = (ball(motion.p, precision) / arb(parts)).sqrt()
-            yield partial(ball, precision=precision), (acb(0, ratio * omega), acb(0, omega))
+            p = ball(motion.p, precision)
+            omega = (p / arb(squares)).sqrt()
+            yield motion.energy(4, InBalls(precision)), p, (acb(0, ratio * omega), acb(0, omega))
 
 
 def sign_of(x: Any) -> int:

@@ -120,9 +120,11 @@ def _twist(motion: LocalMotion) -> fmpq:
 
 
 def _resonant(motion: LocalMotion, pair: tuple[int, int]) -> bool | None:
-    if not motion.rational:
-        with own_precision(PRECISION), suppress(ZeroDivisionError):
-            first, second = (-real(value**2) for value in motion.first[1].values)
+    """Tell whether the frequencies are in a ratio: by balls, and exactly only if these do not exclude it."""
+    for precision in () if motion.rational else PRECISIONS:
+        with own_precision(precision), suppress(ZeroDivisionError):
+            found = motion.first if precision == PRECISION else motion.in_balls(2, precision)
+            first, second = (-real(value**2) for value in found[1].values)
             if sign_of(resonance_margin(first + second, first * second, *pair)):
                 return False
     sign = sign_of_constant(evaluate(resonance_margin(motion.p, motion.q, *pair), {}))

@@ -28,12 +28,13 @@ from ..decision import Decision, Rung, settled
 from ..notion import Notion
 
 if TYPE_CHECKING:
-    from ..criteria.closed_form import ClosedForm
+    from ..criteria.defined_names import DefinedNames
     from ..theorems.boundary import Boundary
     from ..theorems.drift import Drift
 
 
 DEFINITE = "the second variation is definite on the symplectic slice"
+GROWS = "an eigenvalue has a positive real part"
 
 
 @dataclass(frozen=True, repr=False)
@@ -56,7 +57,7 @@ class Derived(Shown, Stored):
         require(self.equilibrium, Equilibrium, "the equilibrium")
 
     @cached_property
-    def closed(self) -> "ClosedForm | None":
+    def closed(self) -> "DefinedNames | None":
         """The names in which conditions are written if they are too long to be written out; else None."""
         return None if self.expanded else in_names(self.equilibrium)
 
@@ -123,7 +124,7 @@ class Derived(Shown, Stored):
         eq = self.equilibrium
         if not eq.system.coupled:
             return Secular(eq, expanded=True) if self.expanded else secular_of(eq)
-        return loaded("stability.damping.secular_two_directions:SecularInFrame")(eq)
+        return loaded("stability.damping.secular_two_directions:SecularInFrame")(eq, self.expanded)
 
     @cached_property
     def boundary(self) -> "Boundary | None":
@@ -171,6 +172,11 @@ class Derived(Shown, Stored):
     def stable(self) -> Decision:
         """The decision if the second variation is definite."""
         return settled(True, DEFINITE, Rung.SECOND_VARIATION, modulo=self.sufficient.modulo)
+
+    @cached_property
+    def unstable(self) -> Decision:
+        """The decision if an eigenvalue has a positive real part."""
+        return settled(False, GROWS, Rung.SPECTRUM, Notion.SPECTRAL, modulo=self.sufficient.modulo)
 
     @cached_property
     def determinant(self) -> tuple[Expr, tuple[str, ...]]:

@@ -17,8 +17,7 @@ from ..criteria.conditions import Criterion, all_positive, independent
 from ..criteria.energy_casimir import SecondVariation
 from ..criteria.linearization import Linearization
 from ..criteria.numbers_asked import names_needed
-from ..criteria.orientation_form import stiffness_with
-from ..criteria.three_criteria import minors_of_stiffness
+from ..criteria.orientation_form import minors_of_stiffness, stiffness_with
 from ..criteria.truth import holds
 from ..damping.secular import Secular
 from ..decision import Decision, Rung, settled, undecided

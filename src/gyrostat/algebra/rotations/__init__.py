@@ -1,0 +1,6 @@
+"""Critical points of a function of degree 2 on the rotations: all of them, proved, by a quartic form.
+
+`quartic_forms` writes the function as a form in a quaternion. `bounds` says how many critical points there
+are at most, `boxes` approximates all at once and proves a simple one in each box, `critical_rotations`
+compares the numbers: then they are all. `exact_rotations` has them in number fields, multiple ones too.
+"""

@@ -1,0 +1,210 @@
+"""Every attitude of a satellite with any tensor under torques of a potential: complete, and decided by K."""
+import pickle
+from fractions import Fraction as F
+from random import Random
+
+import numpy as np
+import pytest
+from attitude_search import search
+from satellites import rotation
+from slow import sampled
+from sympy import pi
+
+import gyrostat as gs
+
+TURN = [[F(2, 3), F(-1, 3), F(2, 3)], [F(2, 3), F(2, 3), F(-1, 3)], [F(-1, 3), F(2, 3), F(2, 3)]]
+ONE = [[F(int(i == j)) for j in range(3)] for i in range(3)]
+
+
+def turned(diagonal, turn):
+    """The tensor with moments along the rows of a rotation."""
+    return [[sum(x * row[i] * row[j] for x, row in zip(diagonal, turn)) for j in range(3)] for i in range(3)]
+
+
+def along(name, vector):
+    """The text of a scalar product with a direction."""
+    return " + ".join(f"({x})*{name}{i}" for i, x in enumerate(vector, 1))
+
+
+def in_turned_axes(vector):
+    """The components of a vector in the axes that TURN gives."""
+    return [sum(x * row[i] for x, row in zip(vector, TURN)) for i in range(3)]
+
+
+def form(a, matrix, b):
+    """The text of ½ a·M b."""
+    return " + ".join(f"({x})/2*{a}{i}*{b}{j}" for i, row in enumerate(matrix, 1)
+                      for j, x in enumerate(row, 1))
+
+
+class Satellite:
+    """The same satellite for the library and for the oracle, ω0 = 1; a wheel is an axis, J and h."""
+
+    def __init__(self, tensor, rotor=(0, 0, 0), linear=None, forms=None, wheel=None):
+        parts = [along(a, v) for a, v in (linear or {}).items()]
+        parts += [form(a, m, b) for (a, b), m in (forms or {}).items()]
+        rotors = () if wheel is None else (gs.Rotor(wheel[0], axial=wheel[1], momentum=wheel[2]),)
+        body = gs.gyrostat_with_rotors(tensor, rotors, lumped=True) if rotors else gs.Gyrostat(tensor, rotor)
+        self.scene = gs.assemble(body, gs.circular_orbit(1, potential=" + ".join(parts) or 0, rotors=rotors))
+        locked, self.vector = np.array(tensor, float), np.zeros(9)
+        own = locked - float(wheel[1]) * np.outer(*[np.array(wheel[0], float)] * 2) if wheel else locked
+        self.matrix = np.zeros((9, 9))
+        self.matrix[3:6, 3:6], self.matrix[6:, 6:] = -own, 3 * locked
+        self.vector[3:6] -= np.array(rotor if wheel is None else [wheel[2] * x for x in wheel[0]], float)
+        for a, v in (linear or {}).items():
+            self.vector["tnr".index(a) * 3:][:3] += np.array(v, float)
+        for (a, b), m in (forms or {}).items():
+            i, j = "tnr".index(a) * 3, "tnr".index(b) * 3
+            self.matrix[i:i + 3, j:j + 3] += np.array(m, float) / 2
+            self.matrix[j:j + 3, i:i + 3] += np.array(m, float).T / 2
+
+    def found(self):
+        """All of its attitudes."""
+        return gs.relative_equilibria(self.scene, {})
+
+
+def places(equilibria):
+    """(n, r) in floats."""
+    return np.array([[*e.doubles.place.values()] for e in equilibria])
+
+
+def check(satellite, seed):
+    """Newton's method finds no other, K has the index that is found, and minima − saddles … are 0."""
+    equilibria = satellite.found()
+    here = places(equilibria)
+    for attitude, bend in search(satellite.matrix, satellite.vector, seed=seed):
+        apart = np.abs(here - attitude[1:].reshape(6)).max(1)
+        assert apart.min() < 1e-7
+        signs = np.linalg.eigvalsh(-(bend + bend.T) / 2)
+        e = equilibria[apart.argmin()]
+        if np.abs(signs).min() > 1e-6:
+            assert e.form.index == sum(signs < 0)
+    assert sum((-1) ** e.form.index for e in equilibria) == 0
+    assert len({tuple(np.round(p, 7)) for p in here}) == len(here)
+    for e in equilibria:
+        assert (e.decision.verdict is gs.Verdict.STABLE) == (e.form.index == 0)
+        assert e.damped.verdict is (gs.Verdict.STABLE if e.form.index == 0 else gs.Verdict.UNSTABLE)
+    return equilibria
+
+
+def some(rng, kind):
+    """A satellite with a tensor in any axes, and torques of one kind."""
+    size = rng.choice((F(1, 40), F(1, 5), F(1)))
+
+    def vector():
+        return [F(rng.randint(-20, 20), 20) * size for _ in range(3)]
+
+    tensor = turned([F(n, 20) for n in rng.sample(range(12, 23), 3)], rotation(rng))
+    if kind == "rotor":
+        return Satellite(tensor, vector())
+    if kind == "drag":
+        return Satellite(tensor, linear={"t": vector()})
+    if kind == "dipole":
+        return Satellite(tensor, linear={rng.choice("rn"): vector()})
+    if kind == "free wheel":
+        return Satellite(tensor, wheel=([F(2, 3), F(1, 3), F(2, 3)], F(rng.randint(1, 9), 40), size))
+    if kind == "asteroid":
+        part = [[F(rng.randint(-9, 9), 3) * x for x in row] for row in tensor]
+        return Satellite(tensor, vector(), forms={("t", "t"): tensor, ("r", "t"): part})
+    return Satellite(tensor, vector(), {a: vector() for a in "tnr"})
+
+
+@pytest.mark.few(3)
+@pytest.mark.parametrize("kind", ["drag", "free wheel", "sum", "rotor", "dipole", "asteroid"])
+def test_none_is_missing(kind, full):
+    """Random satellites against a search from many starts."""
+    rng = Random(kind)
+    for seed in range(sampled(100, full, 1)):
+        check(some(rng, kind), seed)
+
+
+def test_axes_are_turned_with_the_body():
+    """In axes turned by a rational rotation the same attitudes, turned, with the same verdicts and rates."""
+    moments, drag, rotor = [F(1), F(5, 4), F(8, 5)], [F(1, 10), F(1, 7), 0], [F(3, 10), 0, F(1, 10)]
+    tensor = turned(moments, TURN)
+    own = Satellite(turned(moments, ONE), rotor, {"t": drag}).found()
+    other = Satellite(tensor, in_turned_axes(rotor), {"t": in_turned_axes(drag)}).found()
+    back = np.array(TURN, float)
+    place = places(other).reshape(-1, 2, 3) @ back.T
+    assert len(own) == len(other)
+    for e, here in zip(own, places(own).reshape(-1, 2, 3)):
+        apart = np.abs(place - here).max((1, 2))
+        same = other[apart.argmin()]
+        assert apart.min() < 1e-12
+        assert (e.decision, e.damped) == (same.decision, same.damped)
+        assert e.doubles.frequencies == pytest.approx(same.doubles.frequencies, rel=1e-13)
+
+
+def test_a_tensor_is_answered_as_its_principal_axes_are():
+    """The gravity gradient alone, a rotor in general position: as of the body in principal axes."""
+    moments, rotor = [F(1), F(5, 4), F(8, 5)], [F(1, 50), F(3, 100), F(1, 25)]
+    own = Satellite(turned(moments, ONE), rotor).found()
+    other = Satellite(turned(moments, TURN), in_turned_axes(rotor)).found()
+    place = places(other).reshape(-1, 2, 3) @ np.array(TURN, float).T
+    assert len(own) == len(other) == 24
+    for e, here in zip(own, places(own).reshape(-1, 2, 3)):
+        apart = np.abs(place - here).max((1, 2))
+        assert apart.min() < 1e-12
+        assert e.decision == other[apart.argmin()].decision
+
+
+@pytest.mark.parametrize(("rotor", "count", "meet"), [((1, 0, 0), 20, 2), ((3, 0, 0), 16, 2)])
+def test_where_attitudes_meet(rotor, count, meet):
+    """At a fork, l = ω0 (I_j − I_i), three are one: it is found by exact algebra, and left open."""
+    body = gs.Gyrostat((1, 2, 4), rotor)
+    constant = gs.circular_orbit(1, potential="(n1^2 + n2^2 + n3^2)/2")
+    equilibria = gs.relative_equilibria(gs.assemble(body, constant), {})
+    assert len(equilibria) == count
+    singular = [e for e in equilibria if e.form.index is None]
+    assert len(singular) == meet
+    assert {e.decision.verdict for e in singular} == {gs.Verdict.UNDECIDED}
+    closed = gs.relative_equilibria(gs.assemble(body, gs.circular_orbit(1)), {})
+    assert sorted(map(str, (e.point for e in closed))) == sorted(map(str, (e.point for e in equilibria)))
+
+
+def test_wheels_in_rpm_at_a_height():
+    """l/ω0 with π, √2 and the root of μ/a³ in it: the attitudes are those at decimals, as near as these."""
+    wheels = [gs.Rotor((0, 0, 1), axial="1/100", rate=100 * pi), gs.Rotor((1, 1, 0), axial=3, rate=7)]
+    tensor = [[F(621, 10), F(13, 10), 0], [F(13, 10), F(714, 10), F(3, 5)], [0, F(3, 5), F(382, 10)]]
+    body, orbit = gs.gyrostat_with_rotors(tensor, wheels, lumped=True), gs.circular_orbit(mu=2, radius=3)
+    equilibria = gs.relative_equilibria(gs.assemble(body, orbit), {})
+    rate = F(np.sqrt(2 / 27))
+    rotor = [F(float(x)) for x in body.gyrostatic_momentum]
+    near = gs.relative_equilibria(gs.assemble(gs.Gyrostat(tensor, rotor), gs.circular_orbit(rate)), {})
+    assert len(equilibria) == len(near)
+    for e, here in zip(equilibria, places(equilibria)):
+        apart = np.abs(places(near) - here).max(1)
+        assert apart.min() < 1e-11
+        assert (e.decision, e.damped) == (near[apart.argmin()].decision, near[apart.argmin()].damped)
+    first = equilibria[0]
+    assert str(first.place["n1"]) == str(first.place["n1"].evalf(17))
+    copy = pickle.loads(pickle.dumps(first))
+    assert copy.doubles.place == first.doubles.place
+
+
+def test_a_body_of_revolution_with_drag_off_its_axis():
+    """Points, though the gravity gradient alone leaves circles."""
+    tensor = turned([F(3, 2), F(3, 2), F(2)], ONE)
+    equilibria = check(Satellite(tensor, (0, 0, F(1, 5)), {"t": (F(1, 3), F(1, 4), F(1, 5))}), 0)
+    assert not any(e.locus for e in equilibria)
+
+
+@pytest.mark.parametrize(("inertia", "rotor", "potential", "what"), [
+    ((1, 2, 3), (0, 0, 0), "n1^3", "degree above 2"),
+    ((1, 2, 3), (0, 0, 0), "sqrt(2 + n1)", "no polynomial"),
+    ((1, 2, 3), (0, 0, 0), "sqrt(1 + sqrt(2))*t1", "as decimals"),
+    ((1, 1, 2), (0, 0, 1), "t3/3", "on curves"),
+    ([[2, 0, 0], [0, "3/2", "1/2"], [0, "1/2", "3/2"]], (0, 0, 0), "0", "on curves")])
+def test_what_is_refused(inertia, rotor, potential, what):
+    """In at most 300 characters, with what there is instead."""
+    scene = gs.assemble(gs.Gyrostat(inertia, rotor), gs.circular_orbit(1, potential=potential))
+    with pytest.raises(gs.errors.ScopeError, match=what) as refused:
+        gs.relative_equilibria(scene, {})
+    assert len(str(refused.value)) <= 300
+
+
+def test_the_direction_of_flight_in_a_text():
+    """t1, t2, t3 are the components of n × r."""
+    texts = "a*t1 + t3", "a*(n2*r3 - n3*r2) + n1*r2 - n2*r1"
+    one, other = (gs.circular_orbit(1, potential=text).expression for text in texts)
+    assert (one - other).expand() == 0
