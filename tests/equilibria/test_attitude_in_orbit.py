@@ -3,8 +3,10 @@ import math
 
 import mpmath
 import pytest
+from flint import arb
 
 import gyrostat as gs
+from gyrostat.equilibria.attitude_in_orbit import _degrees
 
 CLOSED = gs.Gyrostat((60, 70, 35), (0, "15/2", 0))             # tilts with square roots
 RIGID = gs.Gyrostat((60, 70, 35), (0, 0, 0))
@@ -102,3 +104,9 @@ def test_rates_per_orbit_and_doubling_time():
         if doubles.growth_rate:
             assert math.exp(doubles.growth_rate * doubles.doubling_time) == pytest.approx(2, rel=1e-14)
     assert 0.5 in per_orbit
+
+
+def test_an_angle_of_180_degrees_is_enclosed_although_its_sine_may_have_either_sign():
+    """The enclosure reaches beyond 180°, not round to −180°."""
+    angle = _degrees(arb(0, 1e-12), arb(-2))
+    assert 179.99 < angle < 180.01 and angle.contains(180)

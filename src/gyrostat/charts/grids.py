@@ -61,12 +61,16 @@ class Grid:
         """All of the merged grid as one block."""
         return tuple(slice(0, n) for n in self.merged)
 
-    def strange(self, name: Symbol) -> Array | None:
-        """Return where the numbers of a name are NaN or infinite; None if nowhere."""
-        if name in self.exact:
-            where = np.frompyfunc(lambda x: isinstance(x, float), 1, 1)(self.exact[name]).astype(bool)
-            return where if where.any() else None
-        return None if all_finite(self.values[name]) else ~np.isfinite(self.values[name])
+    @cached_property
+    def strange(self) -> dict[Symbol, Array]:
+        """Where the numbers of a name are NaN or infinite, for names that have such numbers."""
+        found = {s: ~np.isfinite(a) for s, a in self.values.items()
+                 if s not in self.exact and not all_finite(a)}
+        for name, numbers in self.exact.items():
+            where = np.frompyfunc(lambda x: isinstance(x, float), 1, 1)(numbers).astype(bool)
+            if where.any():
+                found[name] = where
+        return found
 
     def apart_from(self, out: Array) -> "Grid":
         """Return the same grid, in which arrays that may share memory with another are copies.

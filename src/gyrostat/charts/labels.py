@@ -18,8 +18,7 @@ def check_plain(values: Mapping[str, Any]) -> None:
     """Raise ValuesError if a number is masked, or two arrays of xarray or pandas differ in their labels."""
     first: tuple[str, Labels] | None = None
     for name, value in values.items():
-        mask = np.ma.getmask(value)
-        if mask.any():
+        if (mask := np.ma.getmask(value)) is not np.ma.nomask and mask.any():
             place = tuple(int(i) for i in np.argwhere(mask)[0])
             raise ValuesError(f"{name}{list(place) if place else ''} is masked, a verdict needs a number: "
                               f"leave it out, or pass {name}.filled(np.nan), which "

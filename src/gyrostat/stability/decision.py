@@ -2,6 +2,7 @@
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from enum import Enum
+from functools import lru_cache
 from typing import Any, NoReturn
 
 from sympy import Expr
@@ -232,6 +233,7 @@ def settled(stable: bool, why: str, rung: Rung, notion: Notion = Notion.LYAPUNOV
     return Decision(Verdict.of(stable), rung, why, notion, **more)
 
 
+@lru_cache(maxsize=256)                                    # lines of a batch want the same names
 def undecided(why: str) -> Decision:
     """Return the decision that nothing is proved, and why."""
     return Decision(Verdict.UNDECIDED, Rung.NOTHING, why)

@@ -15,12 +15,10 @@ from ..mechanics.equilibrium.standard_axes import placed, seen_at
 from ..mechanics.scenes.kind import Kind
 from .criteria.numbers_asked import left_open
 from .criteria.truth import holds
-from .decision import Decision, Rung, settled, undecided
-from .notion import Notion
+from .decision import Decision, undecided
 from .report.derived_parts import Derived
 from .standing import THEOREMS, Standing
 
-GROWS = "an eigenvalue has a positive real part"
 NORMAL_FORMS = "stability.normal_forms"
 DEGREE = 4                                                 # D4 needs the derivatives of U up to this one
 
@@ -162,8 +160,7 @@ def _leading(s: Standing) -> Decision:
 RUNGS = (
     Step("second variation", "Lagrange (1788), Dirichlet (1846); Arnold, J. Mécanique 5 (1966) 29-43",
          lambda s: s.sufficient, _definite),
-    Step("spectrum", "Lyapunov (1892)", lambda s: s.necessary is False,
-         lambda s: settled(False, GROWS, Rung.SPECTRUM, Notion.SPECTRAL, modulo=s.derived.sufficient.modulo)),
+    Step("spectrum", "Lyapunov (1892)", lambda s: s.necessary is False, lambda s: s.derived.unstable),
     Step("another scene", "derived: a body of revolution about any axis, a satellite's axis",
          lambda s: s.other, _by_another),
     Step("no sign", "nothing is guessed", lambda s: None in (s.sufficient, s.necessary),

@@ -13,7 +13,7 @@ from hypothesis.extra import numpy as arrays
 import gyrostat as gs
 from gyrostat.charts.grids import cut, grid_of
 from gyrostat.charts.programs.straightline import program_of
-from gyrostat.charts.programs.tiles import Tiles
+from gyrostat.charts.programs.tiles import Tiles, layout_of
 
 NAMES = ("I1", "I3", "k3", "l", "omega")
 SYMBOLS = dict(zip(NAMES, map(gs.symbol, NAMES)))
@@ -147,9 +147,17 @@ def test_few_buffers_are_used():
     """
     grid = grid_of({name: np.random.default_rng(3).random(500) for name in NAMES})
     tiles = tiles_over(grid)
-    assert len(tiles.inner) > 10 and len(set(tiles.slots)) <= 4
+    assert len(tiles.inner) > 10 and len(set(tiles.layout.slots)) <= 4
     out, (tile,) = np.empty((1, 500)), grid.blocks(10**4)
     assert tiles.value(tile[0], out) is out and len(tiles.buffers) <= 4
+
+
+def test_what_a_grid_needs_of_a_program_is_found_once():
+    """For the same axes; along other axes other steps are done at each point."""
+    program = program_of(margin(), {s: frozenset({1}) for s in SYMBOLS.values()})
+    row = layout_of(program, frozenset({1}))
+    assert layout_of(program, frozenset({1})) is row
+    assert len(row.inner) > 10 and not layout_of(program, frozenset({0, 1})).inner
 
 
 def test_the_type_is_that_of_the_buffers():

@@ -10,7 +10,7 @@ import sys
 
 import pytest
 
-from gyrostat.cli.batch import batch_worker
+from gyrostat.cli.batch import batch_lines, batch_worker
 from gyrostat.cli.parser import main
 
 TOPS = ["--equilibrium", "E1", "--potential", "m0*k3", "--set", "I1=1", "--set", "I3=1.6", "--set", "l=0",
@@ -86,20 +86,19 @@ def test_an_interrupted_batch_goes_on(capsys, monkeypatch, tmp_path):
     out, command = tmp_path / "out.jsonl", ["decide", *TOPS, "--batch", str(given), "--output"]
     assert main([*command, str(tmp_path / "whole.jsonl")]) == 0
     out.write_text("old\n")
-    from gyrostat.cli.batch.batch_lines import Kept
-    keep, kept = Kept.__call__, []
+    keep = batch_lines.Kept.__call__
 
-    def interrupting(self, n, text):
-        keep(self, n, text)
-        kept.append(n)
-        if len(kept) == 3:
+    def interrupting(self, answers):
+        keep(self, answers)
+        if self.last == 3:
             raise KeyboardInterrupt
-    monkeypatch.setattr(Kept, "__call__", interrupting)
+    monkeypatch.setattr(batch_lines.Kept, "__call__", interrupting)
+    monkeypatch.setattr(batch_lines, "READ", 1)            # one line after another
     assert main([*command, str(out)]) == 130
     said = (f"gyrostat: interrupted; the answers up to line 3 are in {out}.part; "
             "the same command with --from 4 goes on\n")
     assert capsys.readouterr().err == said and out.read_text() == "old\n"
-    monkeypatch.setattr(Kept, "__call__", keep)
+    monkeypatch.setattr(batch_lines.Kept, "__call__", keep)
     assert main([*command, str(out), "--from", "4"]) == 0
     assert out.read_text() == (tmp_path / "whole.jsonl").read_text()
     assert not (tmp_path / "out.jsonl.part").exists()
@@ -109,6 +108,7 @@ def test_a_full_disk_keeps_whole_lines(capsys, monkeypatch, tmp_path):
     """One line says how to go on; the old file is as it was."""
     (given := tmp_path / "tops.jsonl").write_bytes(b"\n".join([GOOD] * 3))
     (out := tmp_path / "out.jsonl").write_text("old\n")
+    monkeypatch.setattr(batch_lines, "READ", 1)            # one line after another
     flush, count = io.BufferedWriter.flush, []
 
     class Full(io.BufferedWriter):

@@ -46,6 +46,14 @@ def test_several_processes_write_what_one_writes(monkeypatch, capsys):
         assert answered(monkeypatch, capsys, lines, "--processes", count) == one
 
 
+def test_answers_that_come_in_pieces_are_put_together(monkeypatch, capsys):
+    """A connection carries bytes, not lines."""
+    lines = [b'{"pi3_0": "%d/7"}' % n for n in range(5)]
+    whole = answered(monkeypatch, capsys, lines)
+    monkeypatch.setattr(batch_worker, "READ", 300)
+    assert answered(monkeypatch, capsys, lines, "--processes", "2") == whole
+
+
 @pytest.mark.parametrize("count", [1, 2])
 def test_all_of_them_work(monkeypatch, capsys, acting, count):
     """Each answers a share."""

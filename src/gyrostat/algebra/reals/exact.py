@@ -47,7 +47,10 @@ def sign(expression: Expr, values: Mapping[Symbol, Expr]) -> int | None:
     >>> sign(sympy.exp(x) - 3, {x: sympy.S.One})
     -1
     """
-    return sign_of_constant(evaluate(expression, values))
+    given = values if isinstance(values, Point) else Point(values)
+    if (value := _rational_value(expression, given)) is not None:
+        return (value > 0) - (value < 0)
+    return sign_of_constant(evaluate(expression, given))
 
 
 class Point(dict[Symbol, Expr]):
@@ -85,20 +88,28 @@ def evaluate(expression: Expr, values: Mapping[Symbol, Expr]) -> Expr:
     if expression in values:                               # a name
         return values[expression]
     given = values if isinstance(values, Point) else Point(values)
+    if (value := _rational_value(expression, given)) is not None:
+        return to_sympy(value)
+    if (fraction := compiled(expression)) is not None and given.rational_at(fraction[0]) is not None:
+        return sympy.nan                                   # it divides by 0
+    placed = _inserted(expression, values)
+    # only derivatives need doit, which would factor the polynomial of a root once more
+    return placed.doit() if fraction is None and placed.has(Derivative, Subs) else placed
+
+
+def _rational_value(expression: Expr, given: Point) -> fmpq | None:
+    """Return the value of a fraction of polynomials at rational numbers.
+
+    None if it is no such fraction, a number is not rational, or it divides by 0.
+    """
     fraction = compiled(expression)
-    point = None if fraction is None else given.rational_at(fraction[0])
-    if fraction is None or point is None:
-        placed = _inserted(expression, values)
-        # only derivatives need doit, which would factor the polynomial of a root once more
-        return placed.doit() if fraction is None and placed.has(Derivative, Subs) else placed
-    _, top, bottom = fraction
-    value = top(*point)
-    if bottom is not None:
-        below = bottom(*point)
-        if below == 0:
-            return sympy.nan
-        value /= below
-    return to_sympy(value)
+    if fraction is None:
+        return None
+    symbols, top, bottom = fraction
+    point = given.rational_at(symbols)
+    if point is None or bottom is None:
+        return None if point is None else top(*point)
+    return top(*point) / below if (below := bottom(*point)) else None
 
 
 def _inserted(expression: Expr, values: Mapping[Symbol, Expr]) -> Expr:

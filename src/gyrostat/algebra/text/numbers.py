@@ -93,12 +93,13 @@ def exact_number(value: Any, name: str = "value") -> Expr:
     (100*pi, 1/40)
     """
     # by far the most common kinds, first
-    if type(value) is str:
+    kind = type(value)
+    if kind is str:
         return _text(value, name)
-    if type(value) in (int, Fraction) or type(value) is float and math.isfinite(value):
-        return _bounded(to_sympy(value), name)
     if isinstance(value, Rational):
         return _bounded(value, name)
+    if kind is Fraction or kind is int or kind is float and math.isfinite(value):
+        return _bounded(to_sympy(value), name)
     if getattr(value, "shape", None) == () and hasattr(value, "item") and not getattr(value, "mask", False):
         value = value.item()
     value = text_of(value)
@@ -151,6 +152,6 @@ def _dyadic(value: Any, name: str) -> Rational:
 
 
 def _bounded(value: Expr, name: str, most: int = LONGEST) -> Expr:
-    if isinstance(value, Rational) and max(int(value.p).bit_length(), int(value.q).bit_length()) > most:
+    if isinstance(value, Rational) and (value.p.bit_length() > most or value.q.bit_length() > most):
         raise ValuesError(f"{name} = {shown(value)} is too long: numbers here have up to {most} bits")
     return value

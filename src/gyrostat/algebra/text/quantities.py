@@ -10,7 +10,7 @@ from functools import lru_cache
 from types import MappingProxyType
 from typing import Any
 
-from sympy import Expr, Mul, Pow, S
+from sympy import Expr, Mul, Pow, Rational, S
 
 from ...errors import ExpressionError, ValuesError, brief
 from ...notation import REGISTRY, Use, jet
@@ -201,7 +201,7 @@ def not_mixed(entries: Iterable[tuple[str, Any]]) -> None:
     ValuesError
         some have a unit, and some that should have one have none
     """
-    given = [(name, text_of(value)) for name, value in entries]
+    given = [(name, value if isinstance(value, Rational) else text_of(value)) for name, value in entries]
     if not any(isinstance(value, str) for _, value in given):
         return
     known = [(name, value, *(quantity(value) if isinstance(value, str) else (value, None)))

@@ -42,16 +42,16 @@ class Kernel:
     """
 
     def __init__(self, tiles: Tiles, stages: Sequence[str], spent: list[float], left: int = 0):
-        self.tiles, self.stages, self.spent, self.left = tiles, stages, spent, left
-        self.functions: dict[str, Any] = {}
+        self.tiles, self.stages, self.spent, self.left = tiles, tuple(stages), spent, left
 
     def __call__(self, block: Slices, out: Array, bounds: Sequence[float] = ()) -> None:
         """Write a block of results."""
         operands = [self.tiles.small(i, block) for i in self.tiles.operands]
         kinds = "".join(map(_kind, operands))
-        if kinds not in self.functions:
-            self.functions[kinds] = function_of(self._source(kinds, len(bounds)))
-        function = self.functions[kinds]
+        sources, key = self.tiles.layout.sources, (self.stages, self.left, kinds, len(bounds))
+        if key not in sources:
+            sources[key] = self._source(kinds, len(bounds))
+        function = function_of(sources[key])
         given = [_given(a, kind) for a, kind in zip(operands, kinds)]
         into = out if out.flags.c_contiguous else np.empty(out.shape, dtype=out.dtype)
         known, begin = len(function.overloads), time.perf_counter()

@@ -3,6 +3,7 @@
 The bound is proved, underflow and overflow included.
 """
 from collections.abc import Mapping, Sequence
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
@@ -63,11 +64,9 @@ def error_bound(program: Program, magnitudes: Mapping[Expr, Magnitude], rounding
 def error_bounds(program: Program, magnitudes: Mapping[Expr, Magnitude], roundings: Mapping[Expr, int],
                  computed: Sequence[Magnitude] | None = None) -> list[Magnitude]:
     """Return the bounds of all results of a program, as error_bound does for the last."""
-    sizes: list[Magnitude] = []
-    counts: list[int] = []
-    tiny: list[Magnitude] = []
-    relative: list[bool] = []
-    largest: Magnitude = 0.0
+    # of each step: M, n, A, and whether it is a leaf, a constant, a sum of exact ones, or a product of such
+    known: list[tuple[Magnitude, int, Magnitude, bool]] = []
+    fits: Any = True
     with np.errstate(over="ignore", invalid="ignore", under="ignore"):
         for place, step in enumerate(program.steps):
             if step.operation == "leaf":
@@ -76,30 +75,28 @@ def error_bounds(program: Program, magnitudes: Mapping[Expr, Magnitude], roundin
             elif step.operation == "constant":
                 size, count = rounded(step.value)
                 lost, own = float(count), True         # what rounding adds to a number below 2⁻¹⁰²²
-            elif step.operation == "multiply":
-                a, b = step.arguments
-                size, count, own = sizes[a] * sizes[b], counts[a] + counts[b] + 2, relative[a] and relative[b]
-                lost = 2 * (tiny[a] * sizes[b] + tiny[b] * sizes[a] + tiny[a] * tiny[b] * SMALLEST) + 2
             elif step.operation == "negative":
-                (a,) = step.arguments
-                size, count, lost, own = sizes[a], counts[a], tiny[a], relative[a]
+                size, count, lost, own = known[step.arguments[0]]
             else:
                 a, b = step.arguments
-                size, count, lost = sizes[a] + sizes[b], max(counts[a], counts[b]) + 1, tiny[a] + tiny[b]
-                own = counts[a] == counts[b] == 0 and all(program.steps[i].operation in ("leaf", "constant")
-                                                          for i in (a, b))
+                (one, few, tiny, plain), (two, some, small, simple) = known[a], known[b]
+                if step.operation == "multiply":
+                    size, count, own = one * two, few + some + 2, plain and simple
+                    lost = 2 * (tiny * two + small * one + tiny * small * SMALLEST) + 2
+                else:
+                    size, count, lost = one + two, max(few, some) + 1, tiny + small
+                    own = few == some == 0 and all(program.steps[i].operation in ("leaf", "constant")
+                                                   for i in (a, b))
             if own and computed is not None:
                 size = np.abs(computed[place])
-            sizes.append(size)
-            counts.append(count)
-            tiny.append(lost)
-            relative.append(own)
-            largest = np.maximum(largest, size)
-        bounds = (counts[i] * UNIT * SLACK * sizes[i] + (4 * tiny[i] + 4) * SMALLEST
-                  for i in program.outcomes)
-        return [np.where(largest < LARGEST, bound, np.inf) for bound in bounds]
+            known.append((size, count, lost, own))
+            fits = fits & (size < LARGEST)                 # not where it is NaN
+        bounds = (count * UNIT * SLACK * size + (4 * lost + 4) * SMALLEST
+                  for size, count, lost, _ in map(known.__getitem__, program.outcomes))
+        return [np.where(fits, bound, np.inf) for bound in bounds]
 
 
+@lru_cache(maxsize=4096)
 def rounded(value: Any) -> tuple[float, int]:
     """Return a positive rational constant as a double, and how many roundings that is: 0 or 1."""
     p, q = int(value.p), int(value.q)

@@ -18,6 +18,7 @@ from typing import Any, Literal, Protocol, TypeVar
 
 from sympy import Add, Expr, Integer, Mul, Pow, Rational, Symbol
 
+from ..._cached import cached_property
 from ...algebra.enclosures.arithmetic import Arithmetic, in_arithmetic
 from ...algebra.rings.readable import readable
 from ...notation import symbol
@@ -68,6 +69,11 @@ class Program:
     def outcomes(self) -> list[int]:
         """The places of the results."""
         return [place % len(self.steps) for place in self.results]
+
+    @cached_property
+    def kept(self) -> dict[Any, Any]:
+        """What was derived of the program for the axes of a grid: programs outlive a call."""
+        return {}
 
     def needed(self, results: Iterable[int]) -> set[int]:
         """Return the steps that some steps need, themselves included."""
@@ -126,9 +132,8 @@ def program_of(margin: Expr, axes: Mapping[Symbol, Axes], named: Named | None = 
 def programs_of(margins: tuple[Expr, ...], axes: Mapping[Symbol, Axes],
                 named: Named | None = None) -> Program:
     """Return one program with a result for each margin; what they have in common is computed once."""
-    return _program(margins,
-                    tuple(sorted(((s.name, a) for s, a in axes.items() if a), key=lambda pair: pair[0])),
-                    named)
+    varying = sorted(((s.name, a) for s, a in axes.items() if a), key=lambda pair: pair[0])
+    return _program(margins, tuple(varying), named)
 
 
 @lru_cache(maxsize=512)
@@ -215,8 +220,7 @@ class Writer:
 
         Any other pair is like one of these.
         """
-        count = Counter[Axes]()
-        places: list[int] = []
+        count, places = Counter[Axes](), list[int]()
         for n, (term, _) in enumerate(terms):
             along = self.steps[term].axes
             count[along] += 1

@@ -6,7 +6,7 @@ from itertools import count
 from typing import Any
 
 import numpy as np
-from sympy import Expr
+from sympy import Expr, Symbol
 
 from ...algebra.enclosures.floats import Array, in_floats
 from ...errors import ValuesError, require
@@ -30,6 +30,8 @@ def writer(expression: Expr, relation: Relation | None, grid: Grid, backend: str
            spent: list[float]) -> Writer:
     """Return what writes the value of an expression into a block of the result, or its relation to 0."""
     def read(leaf: Expr, block: Slices) -> Array:
+        if isinstance(leaf, Symbol):
+            return cut(grid.values[leaf], block)
         here = {s: cut(grid.values[s], block) for s in leaf.free_symbols}
         return np.asarray(in_floats(leaf, np, here), dtype=kind)
 

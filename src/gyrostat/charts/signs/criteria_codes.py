@@ -1,7 +1,7 @@
 """Tells in every block of a grid where a sufficient criterion holds, and where a necessary one fails."""
 import operator
 from collections.abc import Callable, Iterable
-from itertools import chain
+from functools import lru_cache
 from math import isfinite
 
 import numpy as np
@@ -44,8 +44,7 @@ class CriteriaCodes:
     def __init__(self, sufficient: Criterion, necessary: Criterion, grid: Grid, backend: str,
                  named: Named | None = None):
         self.sufficient, self.necessary, self.grid, self.named = sufficient, necessary, grid, named
-        self.alone = single_margin(sufficient) if single_margin(sufficient) == single_margin(
-            necessary) else None
+        self.alone = _alone(sufficient, necessary)
         self.known: dict[Expr, ArraySigns] = {}
         self.backend = backend
         self.kernel = self._compiled() if backend == "numba" else None
@@ -107,16 +106,23 @@ class CriteriaCodes:
         program, leaves = programs_of(margins, self.grid.axes, self.named), Leaves(self.grid)
         tiles = Tiles(program, self.grid.full, leaves.read)
         bounds = [*map(float, error_bounds(program, leaves.largest(program), leaves.roundings(program)))]
-        place = {e: n for n, e in enumerate({**first, **later})}
-        at_first = {program.results[place[e]] for e in first}
-        if not tiles.inner or not all(isfinite(bounds[place[e]]) for e in first):
+        if not tiles.inner or not all(isfinite(bound) for bound in bounds[:len(first)]):
             return None
-        stages = [self._code(place, lambda n: program.results[n] in at_first), self._code(place)]
-        kernel = Kernel(tiles, stages if at_first < set(program.results) else stages[1:], [], UNKNOWN)
+        kernel = Kernel(tiles, _stages(self.sufficient, self.necessary, program.results), [], UNKNOWN)
         return lambda block, out: kernel(block, out, bounds)
 
-    def _code(self, place: dict[Expr, int], computed: Callable[[int], bool] = lambda n: True) -> str:
-        """Return the code as an expression in the margins {n} that are computed and their bounds e{n}."""
+
+@lru_cache(maxsize=256)
+def _stages(sufficient: Criterion, necessary: Criterion, results: tuple[int, ...]) -> tuple[str, ...]:
+    """Return the codes as expressions in the results {n} of a program, one for each margin, and bounds e{n}.
+
+    If the sufficient criterion does not have all margins, a stage by those that it has comes first.
+    """
+    first, later = (dict.fromkeys(_expressions(c)) for c in (sufficient, necessary))
+    place = {e: n for n, e in enumerate({**first, **later})}
+    at_first = {results[place[e]] for e in first}
+
+    def code(computed: Callable[[int], bool]) -> str:
         def proved(tests: dict[Relation, str]) -> Callable[[Expr, Relation], str]:
             return lambda e, relation: (tests.get(relation, "False") if computed(place[e])
                                         else "False").replace("?", str(place[e]))
@@ -124,20 +130,26 @@ class CriteriaCodes:
         holds = proved({operator.gt: "({?} > e?)", operator.ge: "({?} > e?)", operator.ne: "(abs({?}) > e?)"})
         fails = proved({operator.gt: "({?} < -e?)", operator.ge: "({?} < -e?)",
                         operator.eq: "(abs({?}) > e?)"})
-        stable, unstable = truth(self.sufficient, holds, _and, _or), truth(self.necessary, fails, _or, _and)
-        if self.alone is not None:
+        stable, unstable = truth(sufficient, holds, _and, _or), truth(necessary, fails, _or, _and)
+        if _alone(sufficient, necessary) is not None:
             return f"{STABLE} if {stable} else {UNSTABLE} if {unstable} else {UNKNOWN}"
-        between = _and([truth(self.sufficient, fails, _or, _and), truth(self.necessary, holds, _and, _or)])
+        between = _and([truth(sufficient, fails, _or, _and), truth(necessary, holds, _and, _or)])
         return (f"{STABLE} if {stable} else {UNSTABLE} if {unstable} else {OPEN} if {between} "
                 f"else {UNKNOWN}")
+
+    whole = code(lambda n: True)
+    return (code(lambda n: results[n] in at_first), whole) if at_first < {*results} else (whole,)
 
 
 def single_margin(criterion: Criterion) -> Expr | None:
     """Return the margin that decides alone, None if there is no such margin."""
-    conditions = list(chain.from_iterable(criterion.alternatives))
-    if len(criterion.alternatives) != 1 or len(conditions) != 1 or conditions[0].degenerate:
-        return None
-    return conditions[0].margin
+    return None if criterion.only is None else criterion.only.margin
+
+
+def _alone(sufficient: Criterion, necessary: Criterion) -> Expr | None:
+    """Return the margin that decides alone in both criteria, None if there is no such margin."""
+    margin = single_margin(sufficient)
+    return margin if margin is not None and margin == single_margin(necessary) else None
 
 
 def _expressions(criterion: Criterion) -> list[Expr]:

@@ -1,5 +1,6 @@
 """Screens a list of points by floats: one look at its columns, after which few points are left."""
 from collections.abc import Iterable, Sequence
+from functools import lru_cache
 from itertools import chain
 
 import numpy as np
@@ -39,8 +40,8 @@ class Screen:
     def __init__(self, report: Report, grid: Grid, demands: Demands):
         self.report, self.grid = report, grid
         assert demands.alone is not None
-        degree = Ring([demands.alone]).numerator(demands.alone).total_degree()
-        largest = {s: _largest(a, degree <= HIGHEST) for s, a in grid.values.items()}
+        sampled = _degree(demands.alone) <= HIGHEST
+        largest = {s: _largest(a, sampled) for s, a in grid.values.items()}
         tests = [*((e, "{0} > {1}") for e in demands.positive),
                  *((e, "abs({0}) > {1}") for e in demands.nonzero),
                  (demands.alone, "({0} > {1}) - ({0} < -{1})")]
@@ -82,6 +83,12 @@ def screened(grid: Grid, demands: Demands) -> bool:
     return all(a.size == 1 or a.shape == grid.merged for a in grid.values.values()) and all(
         isinstance(leaf, Symbol) for e in (demands.alone, *demands.positive, *demands.nonzero)
         for leaf in program_of(e, grid.axes).leaves)
+
+
+@lru_cache(maxsize=256)
+def _degree(margin: Expr) -> int:
+    """Return the degree of a margin in all its names."""
+    return int(Ring([margin]).numerator(margin).total_degree())
 
 
 def _largest(array: Array, sampled: bool) -> float:

@@ -57,7 +57,9 @@ def read_entry(name: str, value: Any, kind: Any, finite: bool) -> tuple[Array, A
 
 def all_finite(array: Array) -> bool:
     """Tell whether an array of floats has no NaN and no infinity, without making another array."""
-    return not array.size or bool(np.isfinite(array.min()) and np.isfinite(array.max()))
+    if array.size <= 1:
+        return not array.size or isfinite(array.item())
+    return isfinite(array.min()) and isfinite(array.max())
 
 
 def largest_size(array: Array) -> float:

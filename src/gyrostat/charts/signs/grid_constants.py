@@ -36,7 +36,7 @@ def with_constants(margin: Expr, grid: Grid) -> Expr:
 
 def _constant(grid: Grid, name: Symbol) -> fmpq | None:
     """Return the rational number of a name, None if it varies or is not rational."""
-    if name not in grid.values or grid.values[name].size != 1 or grid.strange(name) is not None:
+    if name not in grid.values or grid.values[name].size != 1 or name in grid.strange:
         return None
     number = grid.exact[name].item() if name in grid.exact else grid.values[name].item()
     return to_flint(number) if isinstance(number, float | Rational) else None

@@ -31,6 +31,8 @@ class Leaves:
 
     def read(self, leaf: Expr, block: Slices) -> Array:
         """Return a leaf in a block."""
+        if isinstance(leaf, Symbol):
+            return cut(self.grid.values[leaf], block)
         with ONE_AT_A_TIME:
             return _floats(leaf, {s: cut(array, block) for s, array in self._arrays(leaf).items()})
 
@@ -39,15 +41,16 @@ class Leaves:
 
         Nothing is known beforehand about a function that varies along all axes.
         """
-        with ONE_AT_A_TIME:
-            return {leaf: self._largest(leaf) for leaf in program.leaves}
+        return {leaf: largest_size(self.grid.values[leaf]) if isinstance(leaf, Symbol) else
+                self._largest(leaf) for leaf in program.leaves}
 
     def _largest(self, leaf: Expr) -> float:
         arrays, full = self._arrays(leaf), self.grid.full
         along = frozenset().union(*(self.grid.axes[s] for s in arrays))
-        if full and along == full and not isinstance(leaf, Symbol):
+        if full and along == full:
             return float("inf")
-        return largest_size(_floats(leaf, arrays))
+        with ONE_AT_A_TIME:
+            return largest_size(_floats(leaf, arrays))
 
     def roundings(self, program: Program) -> dict[Expr, int]:
         """Return how many roundings are behind each leaf of a program."""
@@ -61,13 +64,9 @@ class Leaves:
             leaf in self.grid.values and leaf not in self.grid.exact for leaf in program.leaves)
 
     def _arrays(self, leaf: Expr) -> dict[Symbol, Array]:
-        """Return the numbers of a leaf.
-
-        A symbol has doubles; a function has the exact numbers, if the doubles are only near.
-        """
+        """Return the numbers of a function: the exact ones, if the doubles are only near."""
         grid = self.grid
-        return {s: grid.values[s] if s is leaf else grid.exact.get(s, grid.values[s])
-                for s in leaf.free_symbols}
+        return {s: grid.exact.get(s, grid.values[s]) for s in leaf.free_symbols}
 
 
 def ball_of(x: float | Expr) -> arb:
@@ -76,12 +75,10 @@ def ball_of(x: float | Expr) -> arb:
 
 
 def _floats(leaf: Expr, arrays: dict[Symbol, Array]) -> Array:
-    """Return a leaf in doubles: the array of a symbol, or a function, computed in balls and rounded.
+    """Return a function in doubles, computed in balls and rounded.
 
     It is NaN where the function is not known that well.
     """
-    if isinstance(leaf, Symbol):
-        return arrays[leaf]
     symbols = sorted(leaf.free_symbols, key=str)
     shape = np.broadcast_shapes((1, 1), *(arrays[s].shape for s in symbols))
     rows = zip(*(np.broadcast_to(arrays[s], shape).ravel().tolist() for s in symbols))

@@ -113,7 +113,7 @@ def decided(report: Report, values: Mapping[str, Any], damped: bool = False, inv
     merged = result.reshape(grid.merged)
     layer = None if rungs is None else rungs.reshape(grid.merged)
     demands = demands_of(report, grid, damped)
-    filler: Callable[[], Screen | Decided] = partial(Decided, report, grid, backend, damped, layer)
+    filler: Callable[[], Screen | Decided] = partial(Decided, report, grid, backend, damped, layer, demands)
     blocks = grid.blocks(NUMBA_BLOCK if backend == "numba" else NUMPY_BLOCK)
     if rungs is None and backend == "numba" and screened(grid, demands):
         screen = Screen(report, grid, demands)
@@ -143,7 +143,7 @@ def decided(report: Report, values: Mapping[str, Any], damped: bool = False, inv
 
 def _refuse_strange(report: Report, given: Mapping[str, Any], grid: Grid, damped: bool) -> None:
     """Say which number is not finite, if there is one."""
-    if any(grid.strange(s) is not None for s in grid.values):
+    if grid.strange:
         grid_for(report, given, damped=damped)
 
 

@@ -50,17 +50,18 @@ class Decided:
     """
 
     def __init__(self, report: Report, grid: Grid, backend: str, damped: bool = False,
-                 rungs: Array | None = None):
+                 rungs: Array | None = None, demands: Demands | None = None):
         self.report, self.grid, self.damped, self.rungs = report, grid, damped, rungs
         self.stays_open = not damped and open_between(report.equilibrium)
         sufficient, necessary = ((report.damped,) * 2 if damped else (report.sufficient, report.necessary))
         self.codes = CriteriaCodes(sufficient, necessary, grid, backend, report.closed)
-        positive, nonzero, zero = ([*map(self.codes.signs, group)]
-                                   for group in demands_of(report, grid, damped)[:3])
+        demands = demands or demands_of(report, grid, damped)
+        positive, nonzero, zero = ([*map(self.codes.signs, group)] for group in (
+            [e for e in demands.positive if not _all_positive(e, grid)], demands.nonzero, demands.zero))
         self.positive = [a for a in positive if a.everywhere() != 1]
         self.nonzero = [a for a in nonzero if a.everywhere() not in (1, -1)]
         self.zero = [a for a in zero if a.everywhere() != 0]
-        self.unsafe = [a for a in map(grid.strange, grid.values) if a is not None]
+        self.unsafe = [*grid.strange.values()]
 
     def fill(self, tiles: Iterable[Sequence[Slices]], result: Array) -> tuple[int, ...] | None:
         """Write the verdicts, and return the first place where the equilibrium does not exist."""
@@ -171,6 +172,12 @@ class Decided:
             if unreached.any():
                 unreached = unreached & one_may_vanish(torque)
         return np.asarray(one_may_vanish(degenerate) | unreached)
+
+
+def _all_positive(expression: Expr, grid: Grid) -> bool:
+    """Tell whether an expression is a name with doubles that are all positive: the most common demand."""
+    array = grid.values.get(expression)
+    return array is not None and expression not in grid.exact and bool(array.min(initial=np.inf) > 0)
 
 
 def _where_one(answers: Iterable[Array]) -> Array | None:

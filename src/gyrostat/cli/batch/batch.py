@@ -1,15 +1,13 @@
 """gyrostat decide --batch: a decision for each line of a file, as it is read."""
 import argparse
-from collections.abc import Iterable
 from typing import BinaryIO
 
 from ...charts.progress import Progress
 from ...errors import ValuesError
 from ..output import Output, on_terminal, told
 from ..time_limit import interrupted
-from .batch_lines import Kept, Numbered, numbered, opened, size_of
+from .batch_lines import Kept, numbered, opened, size_of
 from .batch_team import Team
-from .batch_worker import Answer
 
 PROCESSES = 256
 
@@ -32,13 +30,15 @@ def _each(given: argparse.Namespace, file: BinaryIO, team: Team, kept: Kept) -> 
     progress = Progress(given.output is not None or not on_terminal())
     try:
         for lines in numbered(file):
-            for n, (text, error) in zip(*_answered(team, lines, given.start)):
-                if error is not None:
-                    status = 2
-                    progress.wipe()
-                    told(f"line {n}: {error}")
-                kept(n, text)
-                progress.show("decide", n if total is None else read, total)
+            asked = [(n, line) for n, line in lines if n >= given.start and line.strip()]
+            for answers in team.answers(asked):
+                kept(answers)
+                for n, _, error in answers:
+                    if error is not None:
+                        status = 2
+                        progress.wipe()
+                        told(f"line {n}: {error}")
+                progress.show("decide", answers[-1][0] if total is None else read, total)
             read += sum(len(line) + 1 for _, line in lines)
             progress.show("decide", lines[-1][0] if total is None else min(read, total), total)
         kept.ended()
@@ -52,8 +52,3 @@ def _each(given: argparse.Namespace, file: BinaryIO, team: Team, kept: Kept) -> 
         progress.wipe()
     return status
 
-
-def _answered(team: Team, lines: list[Numbered], start: int) -> tuple[list[int], Iterable[Answer]]:
-    """The numbers of the lines that are asked for and are not blank, and their answers."""
-    asked = [(n, line) for n, line in lines if n >= start and line.strip()]
-    return [n for n, _ in asked], team.answers(asked)

@@ -4,7 +4,7 @@ import contextlib
 import os
 import stat
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from functools import lru_cache, partial
 from pathlib import Path
 from typing import Any, BinaryIO
@@ -24,6 +24,8 @@ from ..output import printed
 READ = 2**18                                           # bytes that are read at a time
 SCENES = 256                                           # that are kept, of lines that ask the same of them
 Numbered = tuple[int, bytes]
+# the number of a line, an object of JSON, and the reason if the line is not answered
+Answer = tuple[int, bytes, str | None]
 
 
 @contextlib.contextmanager
@@ -108,7 +110,7 @@ class Questions:
         potential = own.pop("potential", self.given.potential)
         label = own.pop("equilibrium", self.given.equilibrium)
         family = self._family(label) if isinstance(label, str) else None
-        if not isinstance(potential, str | None) or label is not None and family is None:
+        if potential is not None and not isinstance(potential, str) or label is not None and family is None:
             raise ValuesError(f"the line has potential = {brief(potential)} and equilibrium = "
                               f"{brief(label)}, of which one is not understood: give a potential as a text, "
                               f"as of --potential, and the equilibrium as {in_words(known_families())}")
@@ -163,15 +165,15 @@ class Kept:
             with contextlib.suppress(OSError):         # it was said when it was written
                 self.file.close()
 
-    def __call__(self, n: int, text: str) -> None:
-        """Keep the answer to a line, at once."""
-        data = f"{text}\n".encode()
+    def __call__(self, answers: Sequence[Answer]) -> None:
+        """Keep some answers, at once."""
+        data = b"".join(b"%b\n" % text for _, text, _ in answers)
         if self.file is None:
             printed(data.decode())
         else:
             self.file.write(data)
             self.file.flush()
-        self.last, self.length = n, self.length + len(data)
+        self.last, self.length = answers[-1][0], self.length + len(data)
 
     def ended(self) -> None:
         """Close the file: all lines are there, and FILE.part takes the place of FILE."""

@@ -6,11 +6,12 @@ from math import inf
 from select import select
 from time import monotonic, sleep
 
-from .batch_lines import Numbered
-from .batch_worker import Answer, Worker
+from .batch_lines import Answer, Numbered
+from .batch_worker import Worker
 
-# seconds in which answers gather: to wake up for each of them costs more than some of the answers
-GATHER = 0.0005
+# seconds in which answers gather, as to wake up for each of them takes time; and seconds that each line takes
+# at least, so that no process is out of lines meanwhile
+GATHER, QUICKEST = 0.005, 0.00005
 LEAST = 4                                              # lines that are dealt at once, if there are as many
 
 
@@ -37,16 +38,21 @@ class Team:
         """Start one of them; a ValuesError if the options are wrong for every line."""
         self.workers[0].start()
 
-    def answers(self, lines: Sequence[Numbered]) -> Iterator[Answer]:
-        """The answer to each of the lines, in order, as they come."""
-        left, found = deque(lines), dict[int, Answer]()
-        for n, _ in lines:
-            while n not in found:
-                self._deal(left)
-                if found or n != lines[0][0]:
-                    sleep(GATHER)
-                found.update(self._come())
-            yield found.pop(n)
+    def answers(self, lines: Sequence[Numbered]) -> Iterator[list[Answer]]:
+        """The answers to the lines, in order, as many at a time as there are."""
+        left, found, first = deque(lines), dict[int, Answer](), True
+        wanted = deque(n for n, _ in lines)
+        while wanted:
+            self._deal(left)
+            if not first:
+                fewest = min(len(worker.lines) for worker in self.workers if worker.lines)
+                sleep(min(GATHER, QUICKEST * fewest))
+            found.update((answer[0], answer) for answer in self._come())
+            first, there = False, list[Answer]()
+            while wanted and wanted[0] in found:
+                there.append(found.pop(wanted.popleft()))
+            if there:
+                yield there
 
     def _deal(self, left: deque[Numbered]) -> None:
         """Give lines to all who have none: smaller and smaller parts, so that all end at the same time."""
@@ -56,7 +62,7 @@ class Team:
                 most = len(left) if count == 1 else max(LEAST, len(left) // (2 * count))
                 worker.send([left.popleft() for _ in range(min(most, len(left)))])
 
-    def _come(self) -> Iterator[tuple[int, Answer]]:
+    def _come(self) -> Iterator[Answer]:
         """The answers that are there, when there are some."""
         busy = {worker.start(): worker for worker in self.workers if worker.lines}
         late = min(worker.late for worker in busy.values())

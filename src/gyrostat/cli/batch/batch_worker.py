@@ -20,11 +20,10 @@ from ...questions.answers.answer_list import answers_data
 from ...questions.answers.answers import answers_at
 from ..output import internal
 from ..time_limit import held_back, left_alone, limited
-from .batch_lines import READ, Numbered, Questions
+from .batch_lines import READ, Answer, Numbered, Questions
 
-# an object of JSON, and the reason where the line is not answered
-Answer = tuple[str, str | None]
-READY: Answer = "", None                               # what a process says that waits for lines
+# a message is an object of JSON after a blank, or after ! if a line is not answered
+READY = b" \n"                                         # of a process that waits for lines
 _JSON = json.JSONEncoder(allow_nan=False)              # json.dumps makes an encoder for each answer
 
 
@@ -45,9 +44,9 @@ def serve(place: socket, other: socket, given: argparse.Namespace) -> None:
     try:
         questions = Questions(given)
     except Exception as error:
-        place.sendall(_message(refusal(0, reason(error))))
+        place.sendall(b"!%b\n" % refusal(0, reason(error))[1])
         return
-    place.sendall(_message(READY))
+    place.sendall(READY)
     lines = place.makefile("rb")
     try:
         while True:
@@ -56,30 +55,23 @@ def serve(place: socket, other: socket, given: argparse.Namespace) -> None:
                 limited(given.timeout)
                 try:
                     data = answers_data(answers_at(*questions.of(line)))
-                    answer: Answer = _JSON.encode({"line": n} | data), None
+                    message = f" {_JSON.encode({'line': n} | data)}\n".encode()
                 # every line answers for itself, whatever it brings about
                 except Exception as error:
-                    answer = refusal(n, reason(error))
-                place.sendall(_message(answer))
+                    message = b"!%b\n" % refusal(n, reason(error))[1]
+                place.sendall(message)
     except (EOFError, OSError):                        # nobody is there any more
         return
 
 
 def refusal(n: int, why: str) -> Answer:
     """The answer to a line that is not answered."""
-    return _JSON.encode({"line": n, "error": why}), why
+    return n, _JSON.encode({"line": n, "error": why}).encode(), why
 
 
-def _message(answer: Answer) -> bytes:
-    """An answer as a line of bytes; what begins with ! is none."""
-    text, why = answer
-    return f"{' ' if why is None else '!'}{text}\n".encode()
-
-
-def _answer(message: bytes) -> Answer:
-    """The answer of a line of bytes."""
-    text = message[1:].decode()
-    return text, json.loads(text)["error"] if message.startswith(b"!") else None
+def _why(message: bytes) -> str | None:
+    """Why a line is not answered, as a message says; None if it is answered."""
+    return str(json.loads(message[1:])["error"]) if message.startswith(b"!") else None
 
 
 class Worker:
@@ -127,7 +119,7 @@ class Worker:
             first = b""
         if not first:
             raise ValuesError(f"--potential and --set: {self._gone()}")
-        if (why := _answer(first)[1]) is not None:
+        if (why := _why(first)) is not None:
             raise ValuesError(why)
         self.place.settimeout(None)
         return self.place
@@ -143,7 +135,7 @@ class Worker:
         self.lines = deque(lines)
         self._waits()
 
-    def come(self) -> Iterator[tuple[int, Answer]]:
+    def come(self) -> Iterator[Answer]:
         """The answers that are there, some at least; if the process is gone, why its line has none."""
         try:
             data = self.start().recv(READ)
@@ -154,19 +146,19 @@ class Worker:
             return
         *whole, self.part = (self.part + data).split(b"\n")
         for message in whole:
-            yield self.lines.popleft()[0], _answer(message)
+            yield self.lines.popleft()[0], message[1:], _why(message)
         self._waits()
 
-    def give_up(self) -> tuple[int, Answer]:
+    def give_up(self) -> Answer:
         """The refusal of the line that takes too long."""
         self.end()
         return self._without(f"no answer within {self.given.timeout:g} s")
 
-    def _without(self, why: str) -> tuple[int, Answer]:
+    def _without(self, why: str) -> Answer:
         """The refusal of a line that ended the process; another one answers those after it."""
         (n, _), *others = self.lines
         self.send(others)
-        return n, refusal(n, why)
+        return refusal(n, why)
 
     def _waits(self) -> None:
         """Begin the time for a line."""

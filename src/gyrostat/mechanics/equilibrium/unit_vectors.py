@@ -5,6 +5,7 @@ from sympy import Expr
 
 from ...algebra.text.grammar import parse
 from ...notation import symbol
+from .derived_once import once
 from .equilibrium import Equilibrium
 
 STEREOGRAPHIC = "stereographic"                       # the word for it
@@ -33,6 +34,7 @@ def stereographic() -> tuple[Expr, Expr, Expr]:
     return 2 * u1 / (1 + square), 2 * u2 / (1 + square), (1 - square) / (1 + square)
 
 
+@once
 def in_any_direction(eq: Equilibrium) -> bool:
     """Tell whether k1, k2, k3 are names of a family: any unit vector.
 

@@ -14,11 +14,10 @@ from .equilibria import Missing
 
 def note_once(answers: Sequence[Answer | Missing]) -> tuple[str, list[Answer | Missing]]:
     """The note that all decisions of a list have, and the list without it; "" if the notes differ."""
-    decided = [a for a in answers if isinstance(a, Answer)]
-    notes = {a.decision.note for a in decided}
-    if len(decided) < 2 or len(notes) > 1:
+    notes = [a.decision.note for a in answers if isinstance(a, Answer)]
+    if len(notes) < 2 or len({*notes}) > 1:
         return "", list(answers)
-    return notes.pop(), [a if isinstance(a, Missing) else
+    return notes[0], [a if isinstance(a, Missing) else
                          replace(a, decision=replace(a.decision, note=""), damped=_bare(a.damped),
                                  itself=_bare(a.itself)) for a in answers]
 

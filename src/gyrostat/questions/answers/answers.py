@@ -96,14 +96,14 @@ def answers_at(asked: Asked, label: str | None, numbers: Mapping[str, Expr]) -> 
     For one that does not exist in this field, the reason is given.
     """
     scene, wanted = scene_of(asked), named(asked, label and [label])
-    own = {s.name for s in names_of_scene(scene)}
-    if not wanted and "omega" in numbers and {"pi3_0", "omega3_0", "C1"} & numbers.keys() - own:
-        raise ValuesError("omega and a momentum are both given: give omega, or pi3_0 and C1, or k3 and "
-                          "pi3_0; or name the equilibrium")
     if wanted == (E3.label,) and asked.eliminate is None and scene.kind is Kind.REVOLUTION:
         return _tilted(asked, numbers)
     if wanted:
         return [_answer(asked, wanted[0], numbers)]
+    own = {s.name for s in names_of_scene(scene)}
+    if "omega" in numbers and {"pi3_0", "omega3_0", "C1"} & numbers.keys() - own:
+        raise ValuesError("omega and a momentum are both given: give omega, or pi3_0 and C1, or k3 and "
+                          "pi3_0; or name the equilibrium")
     if scene.kind is Kind.REVOLUTION:
         if not scene.unspecified and (_level(scene, numbers).keys() - own) & set().union(*MOTION) in MOTION:
             return _all_found(scene, _level(scene, numbers), None)

@@ -16,6 +16,7 @@ from ...mechanics.scenes.system import System
 from ..scene_texts import Asked, scene_of
 
 CLAIMED = "E"                                          # of an equilibrium that is given by its point
+_BY_NAME = {family.asked_for: family for family in FAMILIES.values()}
 
 
 def named(asked: Asked, given: Sequence[str] | None) -> tuple[str, ...]:
@@ -25,9 +26,9 @@ def named(asked: Asked, given: Sequence[str] | None) -> tuple[str, ...]:
             raise ValuesError(f"a point and the equilibrium {given[0]} are both given, and one is decided: "
                               "leave out one of the two")
         return (CLAIMED,)
-    scene, known = scene_of(asked), {f.asked_for: f for f in FAMILIES.values()}
+    scene = scene_of(asked)
     for text in given or ():
-        family = known[text]
+        family = _BY_NAME[text]
         if scene.kind in family.kinds:
             continue
         if Kind.ORBIT in family.kinds:
@@ -41,7 +42,7 @@ def named(asked: Asked, given: Sequence[str] | None) -> tuple[str, ...]:
                 else f"in the field {asked.potential}")
         raise ValuesError(f"the equilibrium {text} is one of {what}, and this body is {lies}: name "
                           f"{labels_in_words(scene)}, or give {by_point(scene)}")
-    return tuple(dict.fromkeys(known[text].label for text in given or ()))
+    return tuple(dict.fromkeys(_BY_NAME[text].label for text in given or ()))
 
 
 def by_point(scene: System) -> str:

@@ -88,6 +88,14 @@ class Criterion(Shown, Stored):
         """Whether there is no stability if it does not hold; else nothing is known then."""
         return self.notion in (Notion.SPECTRAL, Notion.ENERGY_SINK)
 
+    @cached_property
+    def only(self) -> Condition | None:
+        """The condition whose margin decides alone; None if there are others, or even factors."""
+        if len(self.alternatives) != 1 or len(self.alternatives[0]) != 1:
+            return None
+        (condition,), = self.alternatives
+        return None if condition.degenerate else condition
+
 
 @checked
 def independent(criterion: Criterion, eq: Equilibrium) -> Criterion:

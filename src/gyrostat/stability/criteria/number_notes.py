@@ -9,7 +9,7 @@ from functools import lru_cache
 from sympy import Add, Expr, ImmutableMatrix, Poly, Rational, S, Symbol, eye, sqrt
 
 from ...algebra.enclosures.balls import ball
-from ...algebra.reals.exact import Point, evaluate, sign_of_constant
+from ...algebra.reals.exact import Point, evaluate, sign, sign_of_constant
 from ...mechanics.scenes.body import Gyrostat
 from ...mechanics.scenes.coupled import CoupledPotential
 from ...mechanics.scenes.system import System
@@ -44,7 +44,7 @@ def inertia_note(body: Gyrostat, numbers: Mapping[Symbol, Expr]) -> str:
     """Return a sentence if the moments break the triangle inequality: those of a rigid body do not."""
     if not _names(body.entries) <= numbers.keys():
         return ""
-    if any(sign_of_constant(evaluate(excess, numbers)) == -1 for excess in _excesses(body)):
+    if any(sign(excess, numbers) == -1 for excess in _excesses(body)):
         if isinstance(body.inertia, ImmutableMatrix):
             return ("no rigid body has this inertia tensor: a principal moment exceeds the sum of the others "
                     "(a body in a fluid may)")

@@ -1,11 +1,12 @@
 """Tells whether a criterion, an OR of ANDs of comparisons with 0, holds: exactly, in floats or over boxes."""
 import operator
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Mapping
+from itertools import chain
 from typing import Any, TypeVar
 
 from sympy import Expr, S, Symbol
 
-from ...algebra.reals.exact import evaluate, sign_of_constant
+from ...algebra.reals.exact import evaluate, sign, sign_of_constant
 from .conditions import Condition, Criterion
 
 T = TypeVar("T")
@@ -49,16 +50,12 @@ def truth(criterion: Criterion, compare: Compare[T], every: Joined[T], some: Joi
 
 def condition_truth(condition: Condition, compare: Compare[T], every: Joined[T], some: Joined[T]) -> T:
     """Return what one condition says, as truth does for a criterion."""
-    if condition.strict:
-        return every(_answers(condition, compare, operator.gt, operator.ne))
-    return some(_answers(condition, compare, operator.ge, operator.eq))
-
-
-def _answers(condition: Condition, compare: Compare[T], of_margin: Relation,
-             of_factor: Relation) -> Iterator[T]:
-    yield compare(condition.margin, of_margin)
-    for factor in condition.degenerate:
-        yield compare(factor, of_factor)
+    of_margin, of_factor = ((operator.gt, operator.ne) if condition.strict else (operator.ge, operator.eq))
+    answer = compare(condition.margin, of_margin)
+    if not condition.degenerate:
+        return answer
+    others = (compare(factor, of_factor) for factor in condition.degenerate)
+    return (every if condition.strict else some)(chain((answer,), others))
 
 
 def holds(criterion: Criterion, numbers: Mapping[Symbol, Expr], margins: dict[Expr, Expr]) -> bool | None:
@@ -67,12 +64,12 @@ def holds(criterion: Criterion, numbers: Mapping[Symbol, Expr], margins: dict[Ex
     The values of its margins are entered into the last argument.
     """
     def compare(expression: Expr, relation: Relation) -> bool | None:
-        if relation in (operator.gt, operator.ge):
-            sign = _margin_sign(expression, numbers, margins)
-        else:
-            sign = sign_of_constant(evaluate(expression, numbers))
-        return None if sign is None else bool(relation(sign, 0))
+        margin = relation in (operator.gt, operator.ge)
+        found = _margin_sign(expression, numbers, margins) if margin else sign(expression, numbers)
+        return None if found is None else bool(relation(found, 0))
 
+    if criterion.only is not None:                         # the rule for a body of revolution
+        return condition_truth(criterion.only, compare, every_proved, some_proved)
     return truth(criterion, compare, every_proved, some_proved)
 
 
@@ -93,15 +90,15 @@ def sign_at(condition: Condition, numbers: Mapping[Symbol, Expr], margins: dict[
 
     The value of the margin is entered into the last argument.
     """
-    factors = [sign_of_constant(evaluate(factor, numbers)) for factor in condition.degenerate]
+    factors = [sign(factor, numbers) for factor in condition.degenerate]
     if 0 in factors:
         return 0
     return None if None in factors else _margin_sign(condition.margin, numbers, margins)
 
 
 def _margin_sign(margin: Expr, numbers: Mapping[Symbol, Expr], margins: dict[Expr, Expr]) -> int | None:
-    if margin not in margins:
-        margins[margin] = evaluate(margin, numbers)
-    if (found := sign_of_constant(margins[margin])) == 0:
+    if (value := margins.get(margin)) is None:
+        value = margins[margin] = evaluate(margin, numbers)
+    if (found := sign_of_constant(value)) == 0:
         margins[margin] = S.Zero                       # a proved 0 may have come out as a sum of roots
     return found

@@ -34,6 +34,7 @@ if TYPE_CHECKING:
 
 
 DEFINITE = "the second variation is definite on the symplectic slice"
+GROWS = "an eigenvalue has a positive real part"
 
 
 @dataclass(frozen=True, repr=False)
@@ -171,6 +172,11 @@ class Derived(Shown, Stored):
     def stable(self) -> Decision:
         """The decision if the second variation is definite."""
         return settled(True, DEFINITE, Rung.SECOND_VARIATION, modulo=self.sufficient.modulo)
+
+    @cached_property
+    def unstable(self) -> Decision:
+        """The decision if an eigenvalue has a positive real part."""
+        return settled(False, GROWS, Rung.SPECTRUM, Notion.SPECTRAL, modulo=self.sufficient.modulo)
 
     @cached_property
     def determinant(self) -> tuple[Expr, tuple[str, ...]]:
