@@ -4,7 +4,6 @@
 reports. A `report_list` has the derivations and decisions of them, a `condition_list` the conditions, with
 what decides `between_criteria` and the condition of a dual spinner (`energy_sink`). `solve_for` solves them
 for a parameter, and `brief_solutions` shortens the sets that it finds. `answers` gives the decisions of
-decide, of one equilibrium or an `answer_list` of all, of a satellite perhaps with a `rounded_rotor`, which an
-`answer_table` shows at a glance, and which `answer_rows` gives for CSV and `answer_latex` for a paper; `arcs`
-those along curves.
+decide, of one equilibrium or an `answer_list` of all, which an `answer_table` shows at a glance, and which
+`answer_rows` gives for CSV and `answer_latex` for a paper; `arcs` those along curves.
 """

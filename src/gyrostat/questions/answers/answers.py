@@ -1,6 +1,6 @@
 """Answers decide: for the equilibrium that is named, or for all that the numbers allow."""
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from sympy import Expr
@@ -108,7 +108,7 @@ def answers_at(asked: Asked, label: str | None, numbers: Mapping[str, Expr]) -> 
         if not scene.unspecified and (_level(scene, numbers).keys() - own) & set().union(*MOTION) in MOTION:
             return _all_found(scene, _level(scene, numbers), None)
     elif _asks_for_all(scene, numbers):
-        return _all_of(scene, numbers)
+        return [_found(found) for found in relative_equilibria(scene, numbers)]
     return _of_labels(asked, numbers)
 
 
@@ -123,26 +123,6 @@ def normal_form_of(asked: Asked, label: str | None, numbers: Mapping[str, Expr],
     if degree == 4 and not numbers.keys() >= set(report.compared):
         return report.window(numbers)
     return report.normal_form(numbers, degree)
-
-
-def _all_of(scene: System, numbers: Mapping[str, Expr]) -> list[Answer | Missing]:
-    """Every equilibrium at the numbers; of a satellite with a rounded rotor, if none is found otherwise."""
-    try:
-        return [_found(found) for found in relative_equilibria(scene, numbers)]
-    except ScopeError:
-        here = at_numbers(scene, {symbol(name): x for name, x in numbers.items()})
-        rounded = loaded("questions.answers.rounded_rotor:with_rounded_rotor")(here)
-        if rounded is None:
-            raise
-        note = loaded("questions.answers.rounded_rotor:NOTE")
-        return [_with_note(_found(found), note) for found in relative_equilibria(rounded, {})]
-
-
-def _with_note(answer: Answer, note: str) -> Answer:
-    """The answer with a note below its decisions."""
-    noted = {name: replace(decision, note=". ".join(filter(None, (decision.note, note))))
-             for name in ("decision", "damped", "itself") if (decision := getattr(answer, name)) is not None}
-    return replace(answer, **noted)
 
 
 def _of_labels(asked: Asked, numbers: Mapping[str, Expr]) -> list[Answer | Missing]:
