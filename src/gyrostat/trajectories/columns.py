@@ -109,7 +109,8 @@ def quaternions(turns: Array) -> Array:
     >>> quaternions(np.array([np.eye(3), quarter])).round(6).tolist()
     [[1.0, 0.0, 0.0, 0.0], [0.707107, 0.0, 0.0, 0.707107]]
     """
-    four = np.moveaxis(np.array(quaternion_products(np.moveaxis(turns, 0, -1))), -1, 0)
+    rows = [list(row) for row in np.moveaxis(turns, 0, -1)]
+    four: Array = np.moveaxis(np.array(quaternion_products(rows)), -1, 0)
     found = four[np.arange(len(four)), np.diagonal(four, axis1=1, axis2=2).argmax(axis=1)]
     found = found / np.linalg.norm(found, axis=1, keepdims=True)
     if len(found):

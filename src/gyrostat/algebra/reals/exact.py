@@ -5,7 +5,7 @@ from itertools import pairwise
 
 import sympy
 from flint import arb, fmpq, fmpq_mpoly
-from sympy import CRootOf, Derivative, Dummy, Expr, Integer, Rational, Subs, Symbol
+from sympy import CRootOf, Derivative, Dummy, Expr, Integer, Rational, Subs, Symbol, radsimp
 
 from ..._lazy import loaded
 from ...errors import ScopeError, brief
@@ -188,6 +188,11 @@ def proved_sign(constant: Expr, refusal: Callable[[], Exception] | None = None) 
         raise refusal()
     raise ScopeError(f"the sign of {brief(constant)} is not proved: " + (
         "write its algebraic numbers in one root" if is_algebraic(constant) else "round to decimals"))
+
+
+def rationalised(value: Expr) -> Expr:
+    """Return a number with a rational denominator, as polynomial algebra wants it; the rest as it is."""
+    return value if value.free_symbols or value.is_Rational else radsimp(value)
 
 
 def sign_changes(signs: Iterable[int | None]) -> int:

@@ -4,7 +4,7 @@ from collections.abc import Callable, Iterable, Sequence
 from typing import Any
 
 from flint import fmpq, fmpq_mpoly
-from sympy import Add, Expr, ImmutableMatrix
+from sympy import Add, Expr, ImmutableMatrix, S
 
 from .polynomials import Ring, Row, cancel, lcm
 
@@ -14,6 +14,17 @@ Key = Callable[[int, fmpq_mpoly], Any]
 def immutable(rows: Sequence[Sequence[Expr]], columns: int) -> ImmutableMatrix:
     """Return a matrix of expressions, which ImmutableMatrix(rows) would make expressions once more."""
     return ImmutableMatrix(len(rows), columns, [entry for row in rows for entry in row], copy=False)
+
+
+def diagonal(entries: Sequence[Expr]) -> ImmutableMatrix:
+    """Return the diagonal matrix with these entries."""
+    return immutable([[x if i == j else S.Zero for j in range(len(entries))] for i, x in enumerate(entries)],
+                     len(entries))
+
+
+def leading_minors(matrix: ImmutableMatrix) -> tuple[Expr, ...]:
+    """Return the leading principal minors of a symmetric matrix, all positive if and only if it is."""
+    return tuple(matrix[:n, :n].det(method="berkowitz") for n in range(1, matrix.rows + 1))
 
 
 def applied(rows: Iterable[Sequence[Expr]], vector: Sequence[Expr]) -> list[Expr]:

@@ -3,12 +3,12 @@ from collections.abc import Callable, Sequence
 from dataclasses import InitVar, dataclass
 from typing import Any
 
-from sympy import Add, Expr, ImmutableMatrix, Rational, S, Symbol, radsimp
+from sympy import Add, Expr, ImmutableMatrix, Rational, S, Symbol
 
 from ..._cached import cached_property
 from ..._display import Shown
-from ...algebra.reals.exact import is_identically_zero, plain, sign_of_constant
-from ...algebra.rings.matrices import adjugate, immutable
+from ...algebra.reals.exact import is_identically_zero, plain, rationalised, sign_of_constant
+from ...algebra.rings.matrices import adjugate, diagonal, leading_minors
 from ...algebra.text.numbers import exact_expression, shown
 from ...algebra.text.quantities import not_mixed
 from ...algebra.text.tensors import rows_of
@@ -67,7 +67,7 @@ class Gyrostat(Shown, Stored):
                             "entries of the tensor, −∫ xy dm, or positive if they are the integrals ∫ xy dm")
         given = {field: _entries(getattr(self, field), field) for field in ("gyrostatic_momentum", "inertia")}
         not_mixed((field, x) for field, entries in given.items() for x in entries)
-        rotor, inertia = ([_without_surds_below(exact_expression(x, field)) for x in entries]
+        rotor, inertia = ([rationalised(exact_expression(x, field)) for x in entries]
                           for field, entries in given.items())
         if products == "positive" and len(inertia) == 9:
             inertia = [x if n % 4 == 0 else -x for n, x in enumerate(inertia)]
@@ -106,7 +106,7 @@ class Gyrostat(Shown, Stored):
     @cached_property
     def tensor(self) -> ImmutableMatrix:
         """The inertia tensor, shape (3, 3)."""
-        return self.inertia if isinstance(self.inertia, ImmutableMatrix) else _diagonal(self.inertia)
+        return self.inertia if isinstance(self.inertia, ImmutableMatrix) else diagonal(self.inertia)
 
     @cached_property
     def inverse(self) -> ImmutableMatrix:
@@ -114,7 +114,7 @@ class Gyrostat(Shown, Stored):
         if isinstance(self.inertia, ImmutableMatrix):
             whole = self.inertia.det(method="berkowitz")
             return immutable([[entry / whole for entry in row] for row in adjugate(self.inertia.tolist())], 3)
-        return _diagonal([1 / moment for moment in self.inertia])
+        return diagonal([1 / moment for moment in self.inertia])
 
     @property
     def entries(self) -> tuple[Expr, ...]:
@@ -221,11 +221,6 @@ def tensor_of(entries: Sequence[Expr]) -> ImmutableMatrix:
     return ImmutableMatrix(3, 3, lambda i, j: tensor[min(i, j), max(i, j)])
 
 
-def leading_minors(tensor: ImmutableMatrix) -> tuple[Expr, ...]:
-    """Return the three leading principal minors, which are all positive if the tensor is."""
-    return tuple(tensor[:n, :n].det(method="berkowitz") for n in (1, 2, 3))
-
-
 def _entries(given: Any, field: str) -> tuple[Any, ...]:
     """Return three entries of a sequence, an array or a diagonal matrix, or all nine of another matrix."""
     given = rows_of(given) if isinstance(given, str) else given
@@ -253,12 +248,3 @@ def _entries(given: Any, field: str) -> tuple[Any, ...]:
     if len(entries) != 3:
         raise BodyError(f"{field} has {len(entries)} entries: give three, one for each principal axis")
     return entries
-
-
-def _diagonal(entries: Sequence[Expr]) -> ImmutableMatrix:
-    return immutable([[x if i == j else S.Zero for j in range(3)] for i, x in enumerate(entries)], 3)
-
-
-def _without_surds_below(value: Expr) -> Expr:
-    """Return a number with a rational denominator, as polynomial algebra wants it."""
-    return value if value.free_symbols or value.is_Rational else radsimp(value)

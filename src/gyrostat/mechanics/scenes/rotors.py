@@ -6,13 +6,14 @@ from typing import Any
 from sympy import Expr, ImmutableMatrix, Matrix, S, eye, sqrt
 
 from ...algebra.reals.exact import proved_sign
+from ...algebra.rings.matrices import leading_minors
 from ...algebra.text.numbers import exact_expression, exact_number
 from ...algebra.text.quantities import not_mixed
 from ...arguments import checked
 from ...errors import BodyError, brief
 from ...notation import Use
 from ...registry import check_names
-from .body import Gyrostat, leading_minors
+from .body import Gyrostat
 from .functions_on_sphere import lowest
 
 

@@ -5,13 +5,14 @@ from typing import Any
 from sympy import Expr, ImmutableMatrix, Symbol
 
 from ...algebra.reals.exact import sign_of_constant
+from ...algebra.rings.matrices import leading_minors
 from ...algebra.rings.polynomials import lowest_terms
 from ...algebra.text.numbers import exact_expression, shown
 from ...arguments import checked, several
 from ...errors import BodyError
 from ...notation import components
 from ...registry import check_names
-from .body import Gyrostat, leading_minors, tensor_of
+from .body import Gyrostat, tensor_of
 from .coupled import coupled_potential, unit_and_orthogonal
 from .system import System, system_of
 
