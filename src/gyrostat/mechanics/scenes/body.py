@@ -3,12 +3,12 @@ from collections.abc import Callable, Sequence
 from dataclasses import InitVar, dataclass
 from typing import Any
 
-from sympy import Add, Expr, ImmutableMatrix, Rational, S, Symbol
+from sympy import Add, Expr, ImmutableMatrix, Rational, Symbol
 
 from ..._cached import cached_property
 from ..._display import Shown
 from ...algebra.reals.exact import is_identically_zero, plain, rationalised, sign_of_constant
-from ...algebra.rings.matrices import adjugate, diagonal, leading_minors
+from ...algebra.rings.matrices import adjugate, diagonal, immutable, leading_minors
 from ...algebra.text.numbers import exact_expression, shown
 from ...algebra.text.quantities import not_mixed
 from ...algebra.text.tensors import rows_of
