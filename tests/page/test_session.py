@@ -49,7 +49,7 @@ def test_memory_that_is_not_there_is_said(monkeypatch):
     ({"potential": "__import__('os')"}, "not part of the grammar"),
     ({"potential": "m0"}, "does not depend on k3"),
     ({"inertia": ["1", "2"]}, "inertia"),
-    ({"inertia": "x"}, "write a list"),
+    ({"inertia": "x"}, "not three numbers"),
     ({"colour": "red"}, "a scene has no entry colour"),
     ({"values": {**TOP["values"], "I1": "abc("}}, "abc("),
     ({"values": {"a b": "1"}}, "is not a name"),

@@ -87,7 +87,8 @@ class Attitude:
     def data(self) -> dict[str, Any]:
         """Its numbers as data for JSON."""
         return {"roll_deg": self.roll, "pitch_deg": self.pitch, "yaw_deg": self.yaw, "note": self.note,
-                "scalar_first": self.scalar_first, "scalar_last": self.scalar_last, "rotation": self.matrix}
+                "scalar_first": list(self.scalar_first), "scalar_last": list(self.scalar_last),
+                "rotation": list(map(list, self.matrix))}
 
     def __str__(self) -> str:
         shown = (("roll", self.roll), ("pitch", self.pitch), ("yaw", self.yaw))

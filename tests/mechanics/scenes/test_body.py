@@ -69,7 +69,7 @@ def test_arrays_and_diagonal_matrices_are_bodies(inertia):
 @pytest.mark.parametrize(
     ("inertia", "error", "hint"),
     [
-        ("123", ArgumentError, "three numbers"),
+        ("123", BodyError, "not three numbers"),
         (b"123", ArgumentError, "three numbers"),
         (5, ArgumentError, "three numbers"),
         (np.array([[1, 0.1, 0], [0.2, 2, 0], [0, 0, 3]]), BodyError, "symmetric"),

@@ -241,10 +241,10 @@ def _entries(given: Any, field: str) -> tuple[Any, ...]:
             return tuple(x for row in entries for x in row)
         entries = tuple(row[i] for i, row in enumerate(entries))
     # a matrix of one row, or of one column
-    if len(entries) == 1 and isinstance(entries[0], Sequence):
+    if len(entries) == 1 and isinstance(entries[0], Sequence) and not isinstance(entries[0], str):
         entries = tuple(entries[0])
     if hasattr(given, "tolist") and all(isinstance(row, Sequence) and len(row) == 1 for row in entries):
         entries = tuple(row[0] for row in entries)
     if len(entries) != 3:
-        raise BodyError(f"{field} has {len(entries)} entries: give three, one for each principal axis")
+        raise BodyError(f"{field} = {brief(given)} is not three numbers: give one for each principal axis")
     return entries

@@ -16,7 +16,6 @@ from ...mechanics.scenes.system import System
 from ..scene_texts import Asked, scene_of
 
 CLAIMED = "E"                                          # of an equilibrium that is given by its point
-_BY_NAME = {family.asked_for: family for family in FAMILIES.values()}
 
 
 def named(asked: Asked, given: Sequence[str] | None) -> tuple[str, ...]:
@@ -27,8 +26,9 @@ def named(asked: Asked, given: Sequence[str] | None) -> tuple[str, ...]:
                               "leave out one of the two")
         return (CLAIMED,)
     scene = scene_of(asked)
+    known = {family.asked_for: family for family in FAMILIES.values()} if given else {}
     for text in given or ():
-        family = _BY_NAME[text]
+        family = known[text]
         if scene.kind in family.kinds:
             continue
         if Kind.ORBIT in family.kinds:
@@ -42,7 +42,7 @@ def named(asked: Asked, given: Sequence[str] | None) -> tuple[str, ...]:
                 else f"in the field {asked.potential}")
         raise ValuesError(f"the equilibrium {text} is one of {what}, and this body is {lies}: name "
                           f"{labels_in_words(scene)}, or give {by_point(scene)}")
-    return tuple(dict.fromkeys(_BY_NAME[text].label for text in given or ()))
+    return tuple(dict.fromkeys(known[text].label for text in given or ()))
 
 
 def by_point(scene: System) -> str:
