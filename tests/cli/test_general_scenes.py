@@ -153,8 +153,8 @@ def test_on_a_level(capsys):
     assert "CRootOf" not in out and max(map(len, out.splitlines())) <= 100
     names = "k₁", "k₂", "k₃", "ω"
     shown = [line.split(" = ")[1].replace("−", "-").rstrip("…") for line in out.splitlines() if " = " in line]
-    assert len(shown) == 11 and all(f"    {name} = " in out for name in names)
-    for k1, k2, k3, omega in (map(float, shown[n:n + 4]) for n in (0, 5)):
+    assert len(shown) == 12 and all(f"    {name} = " in out for name in names)
+    for k1, k2, k3, omega in (map(float, shown[n:n + 4]) for n in (0, 6)):
         assert abs(omega * (k1**2 + 2 * k2**2 + 3 * k3**2) + k1 / 2 + k3 / 3 - 2) < 1e-4     # six digits
 
 

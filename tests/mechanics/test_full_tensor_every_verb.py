@@ -28,6 +28,10 @@ REFUSED = {
     "momentum_limits": lambda: gs.mechanics.momentum_limits(gs.Gyrostat(TENSOR, (0, 0, 0)), 1),
     "draw_effective_potential": lambda: gs.plotting.draw_effective_potential(HEAVY, LEVEL),
     "draw_energy_momentum": lambda: gs.plotting.draw_energy_momentum(HEAVY, {"p_psi": 1}),
+    "animate_top": lambda: gs.plotting.animate_top(gs.trajectories.motion(FREE, (1, 2, 3)), [0, 1]),
+    "view_motion": lambda: gs.plotting.view_motion(gs.trajectories.motion(FREE, (1, 2, 3)), [0, 1]),
+}
+ANSWERED = {
     "draw_attitudes": lambda: gs.plotting.draw_attitudes(gs.assemble(
         gs.Gyrostat(TENSOR, (-1, 3, 0)), gs.circular_orbit(1))),
     "draw_momentum_sphere": lambda: gs.plotting.draw_momentum_sphere(FREE, 2),
@@ -36,10 +40,6 @@ REFUSED = {
         gs.Gyrostat(TENSOR, (0, 0, 0)), HEAVY.potential)),
     "draw_staude_plane": lambda: gs.plotting.draw_staude_plane(gs.assemble(
         gs.Gyrostat(TENSOR, (0, 0, 1)), HEAVY.potential)),
-    "animate_top": lambda: gs.plotting.animate_top(gs.trajectories.motion(FREE, (1, 2, 3)), [0, 1]),
-    "view_motion": lambda: gs.plotting.view_motion(gs.trajectories.motion(FREE, (1, 2, 3)), [0, 1]),
-}
-ANSWERED = {
     "continuation": lambda: gs.continuation(HEAVY, "omega", (0, 1), {}),
     "draw_bifurcation_diagram": lambda: gs.plotting.draw_bifurcation_diagram(HEAVY, "omega", (0, 1), {}),
     "principal_axes": lambda: gs.mechanics.principal_axes(FREE.body),

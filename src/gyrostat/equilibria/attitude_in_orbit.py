@@ -97,14 +97,14 @@ class Attitude:
 
 
 def in_degrees(angle: float) -> str:
-    """Write an angle to four digits, with its sign.
+    """Write an angle to four digits, and four decimals at most, with its sign.
 
     Examples
     --------
-    >>> in_degrees(-135.0), in_degrees(0.0123456)
-    ('−135°', '0.01235°')
+    >>> in_degrees(-135.0), in_degrees(0.0123456), in_degrees(-1e-13)
+    ('−135°', '0.0123°', '0°')
     """
-    return f"{angle:.4g}°".replace("-", "−")
+    return f"{round(angle, 4) + 0.0:.4g}°".replace("-", "−")
 
 
 def attitude_of(n: Sequence[Expr], r: Sequence[Expr]) -> Attitude:
