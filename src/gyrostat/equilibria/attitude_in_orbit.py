@@ -37,12 +37,12 @@ class Attitude:
     scalar_first : tuple, shape (4,)
         the quaternion q of R as (w, x, y, z): x_orbit = q x_body q*; the first of its numbers that is not 0
         is positive
-    scalar_last : tuple, shape (4,)
-        the same as (x, y, z, w)
-    roll, yaw : float or None
-        in degrees, above −180 and at most 180; None if pitch is ±90°, where no such angles are determined
+    roll : float or None
+        in degrees, above −180 and at most 180; None if pitch is ±90°, where it is not determined
     pitch : float
         in degrees, from −90 to 90
+    yaw : float or None
+        as roll
     note : str
         what is determined if pitch is ±90°: yaw − roll or yaw + roll; else ""
 
@@ -73,7 +73,7 @@ class Attitude:
 
     @property
     def scalar_last(self) -> tuple[float, ...]:
-        """The quaternion as (x, y, z, w)."""
+        """The same quaternion as (x, y, z, w)."""
         return *self.scalar_first[1:], self.scalar_first[0]
 
     @property

@@ -62,7 +62,7 @@ class Gyrostat(Shown, Stored):
     products: InitVar[str] = "negative"
 
     def __post_init__(self, products: str) -> None:
-        if products not in PRODUCTS:
+        if not isinstance(products, str) or products not in PRODUCTS:
             raise BodyError(f"products = {brief(products)}: give negative if the products of inertia are the "
                             "entries of the tensor, −∫ xy dm, or positive if they are the integrals ∫ xy dm")
         given = {field: _entries(getattr(self, field), field) for field in ("gyrostatic_momentum", "inertia")}
