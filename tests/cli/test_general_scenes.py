@@ -205,7 +205,7 @@ def test_free_bodies(capsys):
     ("report", [*FIELD, "--point", "0,0,1,1,0,0"], "E is not an equilibrium"),
     ("report", [*FIELD, "--equilibrium", "E3"], "this scene is none of them: give its point"),
     ("report", [*FIELD, "--equilibrium", "axis 1"], "axis 1 is one of a free body"),
-    ("report", ["--inertia", "1,2"], "inertia has 2 entries"),
+    ("report", ["--inertia", "1,2"], "is not three numbers"),
     ("report", ["--inertia", "1,2,-3"], "-3 is not positive"),
     ("report", ["--potential", "k3", "--set", "l=1", "--set", "l1=2"], "both l and l1 are given"),
     ("decide", [*FIELD, *POINT, *sets(SETS), "--set", "b=1"], "E has no parameter b"),
