@@ -39,11 +39,6 @@ def pytest_collection_modifyitems(items):
                 item.add_marker(pytest.mark.slow)
 
 
-def pytest_collection_finish():
-    """What is there when the first test begins is there when the last one ends."""
-    gc.freeze()
-
-
 @pytest.fixture(scope="session")
 def full(request):
     """Whether a slow test of many minutes is run in full."""
