@@ -103,9 +103,9 @@ def test_a_tensor_is_drawn_along_its_principal_axes():
     for one, other in zip(*(ax.lines for ax in pictures), strict=True):
         np.testing.assert_allclose(one.get_xydata(), other.get_xydata(), rtol=1e-6, atol=1e-9)
     said = pictures[0].get_title()
-    axes = np.array([float(x) for x in re.findall(r"-?\d\.\d{3}", said)]).reshape(3, 3)
-    np.testing.assert_allclose(axes @ tensor @ axes.T, np.diag(moments), atol=0.02)
-    assert np.linalg.det(axes) == pytest.approx(1, abs=0.01)
+    axes = np.array([float(x) for x in re.findall(r"-?\d\.\d\d", said)]).reshape(3, 3)
+    np.testing.assert_allclose(axes @ tensor @ axes.T, np.diag(moments), atol=0.1)
+    assert np.linalg.det(axes) == pytest.approx(1, abs=0.05)
 
 
 def test_a_tensor_with_a_rotor_in_its_own_axes_is_refused():

@@ -111,8 +111,8 @@ def _in_principal_axes(scene: System) -> tuple[System, list[str]]:
                          f"tensor is {body.gyrostatic_momentum}: leave it out of the body, "
                          "Gyrostat(inertia), and give one of l1, l2, l3")
     moments, R = in_principal_axes(body)
-    rows = ", ".join(f"({', '.join(f'{x:.3f}' for x in row)})" for row in R)
-    return assemble(Gyrostat(moments.tolist())), [f"principal axes ${rows}$"]
+    rows = [f"axis {n} $({', '.join(f'{x:.2f}' for x in row)})$" for n, row in enumerate(R, 1)]
+    return assemble(Gyrostat(moments.tolist())), rows
 
 
 def _section(scene: System, values: Mapping[str, Any]) -> tuple[Gyrostat, Expr, list[int]]:
