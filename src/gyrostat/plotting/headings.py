@@ -6,10 +6,12 @@ from sympy import Float
 
 from ..algebra.text.numbers import exact_number
 from ..errors import optional
-from ..mechanics.families.circular_orbit import by_gradient_alone, orbital_rate
-from ..mechanics.scenes.potential import Potential
+from ..mechanics.families.circular_orbit import by_gradient_alone
+from ..mechanics.families.named_entries import named_entries
+from ..mechanics.scenes.kind import Kind
 from ..mechanics.scenes.system import System
 from ..notation import order, symbol
+from ..printing.formats.beside_gravity import other_latex
 from ..printing.formats.latex import tex
 from ..printing.formats.latex_names import Names
 from ..printing.formats.linebreaks import broken, width
@@ -19,7 +21,7 @@ from ..typesetting import typeset
 
 # points of a line at 10 pt, as wide as a page and at least; lines of U
 ROOM, NARROWEST, LINES = 400.0, 150.0, 3
-MOMENTS, TENSOR = ("I1", "I2", "I3"), ("I11", "I22", "I33", "I23", "I31", "I12")
+OTHER = r"U_{\mathrm{other}}"                           # beside the gravity gradient
 
 
 def number(value: Any, exact: str = "") -> str:
@@ -61,21 +63,12 @@ def field(latex: str, letter: str = "U") -> list[str]:
 
 def of_scene(scene: System, values: Mapping[str, Any]) -> tuple[list[str], list[str]]:
     """Return U, or that the body is in orbit, and the numbers of the body and the values."""
-    body, potential = scene.body, scene.potential
-    names = MOMENTS if len(body.entries) == 3 else TENSOR
-    entries = dict(zip(names, body.entries))
-    if potential is not None and body.entries[0] == body.entries[1]:
-        del entries[names[1]]
-    across, along = body.gyrostatic_momentum[:2], body.gyrostatic_momentum[2]
-    orbit = by_gradient_alone(scene)
-    entries |= {"omega0": orbital_rate(scene)} if orbit else {}
-    entries |= {"l": along} if not any(across) and along != symbol("l3") else dict(
-        zip(("l1", "l2", "l3"), body.gyrostatic_momentum))
+    entries = named_entries(scene)
     known = {name: entry for name, entry in entries.items() if not entry.free_symbols and entry != 0}
     made = [f"${typeset(name)} = {tex(entry, Names())}$" for name, entry in entries.items()
             if entry.free_symbols and entry != symbol(name)]
     given = {name: exact_number(x, name) for name, x in values.items()}
-    return ["in orbit"] if orbit else _of_field(potential), [*made, *numbers(known | given)]
+    return _in_its_field(scene), [*made, *numbers(known | given)]
 
 
 def of_sphere(scene: System, values: Mapping[str, Any], momentum: Any) -> tuple[list[str], list[str]]:
@@ -84,9 +77,13 @@ def of_sphere(scene: System, values: Mapping[str, Any], momentum: Any) -> tuple[
     return above, [*shown, f"$|M| = {number(momentum)}$"]
 
 
-def _of_field(potential: Potential | None) -> list[str]:
+def _in_its_field(scene: System) -> list[str]:
+    potential = scene.potential
     if potential is None:
         return []
+    if scene.kind is Kind.ORBIT:
+        return ["in orbit", *([] if by_gradient_alone(scene) else
+                              field(other_latex(scene), OTHER))]
     if potential.given:
         return field(tex(potential.expression, Names()), typeset(letters_in([potential.expression]).of("U")))
     return ["$U(k_3)$" if potential.axial else "$U(k)$"]
@@ -98,7 +95,8 @@ def of_motion(motion: Motion) -> tuple[list[str], list[str]]:
     potential = motion.scene.potential
     for i, name in enumerate(("pi", *(potential.directions if potential else ()))):
         part = motion.state[3 * i:3 * i + 3]
-        shown.append(rf"${typeset(name)}(0) = ({', '.join(map(number, part))})$")
+        components = (f"{{{x}}}" if x.startswith("-") else x for x in map(number, part))     # no binary minus
+        shown.append(rf"${typeset(name)}(0) = ({', '.join(components)})$")
     return above, shown
 
 
