@@ -9,11 +9,9 @@ from ..algebra.enclosures.floats import Array
 from ..algebra.rings.readable import readable
 from ..errors import optional
 from ..mechanics.equilibrium.equilibrium import Equilibrium
-from ..mechanics.families.circular_orbit import by_gradient_alone
+from ..mechanics.families.circular_orbit import CircularOrbit
 from ..mechanics.families.named_entries import named_entries
-from ..mechanics.scenes.kind import Kind
 from ..notation import NOTATION, dimension_of, jet, symbol, units
-from ..printing.formats.beside_gravity import other_latex
 from ..printing.formats.latex import tex
 from ..printing.formats.latex_names import Names
 from ..stability.criteria.conditions import sources
@@ -103,10 +101,10 @@ def _attributes(eq: Equilibrium) -> dict[str, str]:
     potential = eq.system.potential
     found = {"Conventions": "CF-1.11", "title": f"Stability of {eq.label}", "equilibrium": eq.label,
              "potential": str(potential.expression) if potential else "none"}
-    if eq.system.kind is Kind.ORBIT:
+    if isinstance(potential, CircularOrbit):
         found["orbit"] = "circular"
-        if not by_gradient_alone(eq.system):
-            found["potential_latex"] = other_latex(eq.system)
+        if potential.beside:
+            found["potential_latex"] = tex(potential.beside, Names())
     elif potential and potential.given:
         found["potential_latex"] = tex(potential.expression, Names())
     if known := {name: x for name, x in named_entries(eq.system).items() if x not in (0, symbol(name))}:

@@ -15,7 +15,7 @@ from ..printing.formats.latex_names import Names
 from ..typesetting import typeset
 from .captions import headed
 from .chart_curves import curves
-from .headings import OTHER, field, number
+from .headings import field, number
 from .looks import AREAS, DESTROYED, INK, LOOKS, axes_of, label, si_unit, with_dimension
 
 MODULO = {"the flow of pi3": "the spin"}                   # about the axis of the body
@@ -107,7 +107,7 @@ def draw_chart(ds: Any, ax: Any = None, *, si: bool = False, **kwargs: Any) -> A
 
 def _said(ds: Any, si: bool) -> tuple[list[str], list[str]]:
     """Return the equilibrium and U, and the numbers of the scene, those that are fixed or determined."""
-    latex, orbit = ds.attrs.get("potential_latex", ""), "orbit" in ds.attrs
+    latex = ds.attrs.get("potential_latex", "")
     scene = dict(text.split(" = ") for text in ds.attrs.get("scene", "").split("; ") if text)
     said = {name: _number(name, parse(text), text, si) for name, text in scene.items()}
     said |= {str(name): _number(str(name), c.item(), _exact(c), si, c.attrs.get("latex", name))
@@ -115,7 +115,7 @@ def _said(ds: Any, si: bool) -> tuple[list[str], list[str]]:
     fixed = [said[name] for name in sorted(said, key=order)]
     if eliminated := ds.attrs.get("eliminated"):
         fixed.append(f"{', '.join(map(label, eliminated.split(', ')))} determined at each point")
-    above = [*(["in orbit"] if orbit else []), *(field(latex, OTHER if orbit else "U") if latex else [])]
+    above = [*(["in orbit"] if "orbit" in ds.attrs else []), *(field(latex) if latex else [])]
     return [ds.attrs["equilibrium"], *above], fixed
 
 

@@ -6,12 +6,11 @@ from sympy import Float
 
 from ..algebra.text.numbers import exact_number
 from ..errors import optional
-from ..mechanics.families.circular_orbit import by_gradient_alone
+from ..mechanics.families.circular_orbit import CircularOrbit
 from ..mechanics.families.named_entries import named_entries
-from ..mechanics.scenes.kind import Kind
+from ..mechanics.scenes.potential import Potential
 from ..mechanics.scenes.system import System
 from ..notation import order, symbol
-from ..printing.formats.beside_gravity import other_latex
 from ..printing.formats.latex import tex
 from ..printing.formats.latex_names import Names
 from ..printing.formats.linebreaks import broken, width
@@ -21,7 +20,6 @@ from ..typesetting import typeset
 
 # points of a line at 10 pt, as wide as a page and at least; lines of U
 ROOM, NARROWEST, LINES = 400.0, 150.0, 3
-OTHER = r"U_{\mathrm{other}}"                           # beside the gravity gradient
 
 
 def number(value: Any, exact: str = "") -> str:
@@ -68,7 +66,7 @@ def of_scene(scene: System, values: Mapping[str, Any]) -> tuple[list[str], list[
     made = [f"${typeset(name)} = {tex(entry, Names())}$" for name, entry in entries.items()
             if entry.free_symbols and entry != symbol(name)]
     given = {name: exact_number(x, name) for name, x in values.items()}
-    return _in_its_field(scene), [*made, *numbers(known | given)]
+    return _of_field(scene.potential), [*made, *numbers(known | given)]
 
 
 def of_sphere(scene: System, values: Mapping[str, Any], momentum: Any) -> tuple[list[str], list[str]]:
@@ -77,13 +75,11 @@ def of_sphere(scene: System, values: Mapping[str, Any], momentum: Any) -> tuple[
     return above, [*shown, f"$|M| = {number(momentum)}$"]
 
 
-def _in_its_field(scene: System) -> list[str]:
-    potential = scene.potential
+def _of_field(potential: Potential | None) -> list[str]:
     if potential is None:
         return []
-    if scene.kind is Kind.ORBIT:
-        return ["in orbit", *([] if by_gradient_alone(scene) else
-                              field(other_latex(scene), OTHER))]
+    if isinstance(potential, CircularOrbit):
+        return ["in orbit", *(field(tex(potential.beside, Names())) if potential.beside else ())]
     if potential.given:
         return field(tex(potential.expression, Names()), typeset(letters_in([potential.expression]).of("U")))
     return ["$U(k_3)$" if potential.axial else "$U(k)$"]
@@ -123,10 +119,14 @@ def lines(above: Sequence[str], shown: Sequence[str], most: float = ROOM) -> str
 
 
 def _broken(item: str, most: float) -> list[str]:
-    """Break a formula before plus and minus signs into parts that fit a line; a long one is cut."""
+    """Break a formula before plus and minus signs into parts that fit a line; a long one is cut.
+
+    Matplotlib knows no parentheses of a fixed size.
+    """
     if not item.startswith("$") or width(item[1:-1]) <= most:
         return [item]
-    parts = [f"${part.strip()}$" for part in broken(item[1:-1], most)]
+    formula = item[1:-1].replace(r"\left(", "(").replace(r"\right)", ")")
+    parts = [f"${part.strip()}$" for part in broken(formula, most)]
     return parts if len(parts) <= LINES else [*parts[:LINES], r"$+\;\ldots$"]
 
 

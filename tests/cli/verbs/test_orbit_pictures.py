@@ -85,7 +85,7 @@ def test_attitudes_are_those_of_the_table(capsys, drawn, case):
         assert abs(smallest) > 1e-4 and (smallest > 0) == same_color(colour, MARKERS["stable"]["color"])
         least += smallest > 0
     assert least >= 2 and "in orbit" in ax.get_title() and r"\omega_0 = 3/4" in ax.get_title()
-    assert (r"U_{\mathrm{other}}" in ax.get_title()) == (other is not None)
+    assert ("$U = " in ax.get_title()) == (other is not None)
 
 
 def angles(turn):
@@ -135,7 +135,7 @@ def test_librations_are_the_motion(drawn, pointing):
 
 
 def smelt(moments, rotor):
-    """What is known of an Earth-pointing body with the rotor l/ω0: theory of DeBra and Delp, by its sextic."""
+    """What is known of an Earth-pointing body with the rotor l/ω0: theory of DeBra and Delp."""
     t, n, r = moments
     roll, yaw, b = 4 * (n - r) + rotor, n - t + rotor, t + r - n - rotor
     K, g = np.diag([roll, 3 * (t - r), yaw]), np.array([0, b, 0])
@@ -153,8 +153,9 @@ SMELT = [                                                  # options, moments ab
      (60, 52, 35), 20),
     (["--orbit", "0.002 rad/s", "--inertia", "60 kg m^2,32 kg m^2,35 kg m^2", "--wheel",
       "axis=0,1,0 inertia=0.01 kg m^2 speed=10/pi rpm"], (60, 32, 35), 5 / 3),
-    (["--orbit", "1", "--inertia", "60,32,35", "--wheel", "axis=0,1,0 inertia=2 momentum=2"], (60, 32, 35), 0),
-    (["--orbit", "1", "--inertia", "[[6,1,0],[1,6,0],[0,0,4]]".replace("[1,6", "[1,7"),
+    (["--orbit", "1", "--inertia", "60,32,35", "--wheel", "axis=0,1,0 inertia=2 momentum=2"],
+     (60, 32, 35), 0),
+    (["--orbit", "1", "--inertia", "[[6,1,0],[1,7,0],[0,0,4]]",
       "--gyrostatic-momentum", "0,0,0"], (6.5 - 5**0.5 / 2, 6.5 + 5**0.5 / 2, 4), 0)]
 
 
@@ -203,7 +204,8 @@ def test_the_satellite_is_where_it_belongs_in_the_plane(drawn, monkeypatch, case
 def test_what_does_not_belong_is_refused(capsys, tmp_path, arguments, why):
     """In one line, without a file."""
     status, out, err = run(capsys, *arguments, "--output", str(tmp_path / "x.png"), verb="plot")
-    assert (status, out) == (2, "") and why in err and len(err.splitlines()) == 1 and not list(tmp_path.iterdir())
+    assert (status, out) == (2, "") and why in err and len(err.splitlines()) == 1
+    assert not list(tmp_path.iterdir())
 
 
 @pytest.mark.slow

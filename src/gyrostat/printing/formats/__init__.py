@@ -5,5 +5,5 @@
 document in LaTeX, with `prose`, and with the works that it cites (`references`), `tables` has the conditions
 alone. `json_data` writes data, `exact_text` their numbers as expressions, `exact_numbers` by polynomials.
 `text_tables` aligns columns for a terminal, with `si_units` in the titles if the numbers given have units;
-`csv_rows` and `latex_rows` write tables to files. `beside_gravity` is what acts on a satellite, in a title.
+`csv_rows` and `latex_rows` write tables to files.
 """
