@@ -44,6 +44,17 @@ def number(value: Any, exact: str = "") -> str:
     return {"1": shown, "-1": f"-{shown}"}.get(mantissa, rf"{mantissa} \times {shown}")
 
 
+def components_in(vector: Sequence[str]) -> str:
+    """Return the components of a vector as a formula, in which no minus after a comma is a binary one.
+
+    Examples
+    --------
+    >>> components_in(["1", "-1/2", "0"])
+    '$(1, {-1/2}, 0)$'
+    """
+    return f"$({', '.join(f'{{{x}}}' if x.startswith('-') else x for x in vector)})$"
+
+
 def numbers(values: Mapping[str, Any]) -> list[str]:
     """Return name = number for each value, in the order of the notation."""
     return [f"${typeset(name)} = {number(values[name])}$" for name in sorted(values, key=order)]
@@ -91,8 +102,7 @@ def of_motion(motion: Motion) -> tuple[list[str], list[str]]:
     potential = motion.scene.potential
     for i, name in enumerate(("pi", *(potential.directions if potential else ()))):
         part = motion.state[3 * i:3 * i + 3]
-        components = (f"{{{x}}}" if x.startswith("-") else x for x in map(number, part))     # no binary minus
-        shown.append(rf"${typeset(name)}(0) = ({', '.join(components)})$")
+        shown.append(rf"${typeset(name)}(0) = {components_in(list(map(number, part)))[1:]}")
     return above, shown
 
 
