@@ -122,7 +122,8 @@ def _in_principal_axes(scene: System, values: Mapping[str, Any]
         raise ScopeError(f"two principal moments of {brief(body.inertia.tolist())} are equal, and l may be "
                          "turned about their axis; give three different ones")
     moments, R = in_principal_axes(body)
-    rows = [f"axis {n} {components_in([f'{x:.2f}' for x in row])}" for n, row in enumerate(R.round(2) + 0.0, 1)]
+    shown = [[f"{x:.2f}" for x in row] for row in R.round(2) + 0.0]        # no −0.00
+    rows = [f"axis {n} {components_in(row)}" for n, row in enumerate(shown, 1)]
     return assemble(Gyrostat(moments.tolist())), rows, {
         name: x for name, x in values.items() if name not in own}
 
