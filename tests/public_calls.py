@@ -213,7 +213,9 @@ def methods():
         (k.motion.angles, {"t": [0.0, 1.0]}), (k.motion.drift, {"t": [0.0, 1.0]}),
         (k.motion.to_xarray, {"t": [0.0, 1.0], "pointing": (1, 2, 3)}),
         (known_libration().to_xarray, {"t": [0.0, 1.0], "pointing": (1, 2, 3)}),
-        (gs.table, {"found": gs.relative_equilibria(k.free, {"M": 1})})]
+        (gs.table, {"found": gs.relative_equilibria(k.free, {"M": 1})}),
+        (gs.wheel_speeds, {"scene": k.spinning, "name": "s", "roll": 1, "pitch": 2, "yaw": 3,
+                           "directions": None, "unit": "rpm"})]
 
 
 def same(x):

@@ -37,6 +37,7 @@ def known():
     free = gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 0)))
     spun = gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, s("l"))))
     satellite = gs.assemble(gs.Gyrostat((1, "5/4", "8/5"), (0, 0, 0)), gs.circular_orbit(1))
+    spinning = gs.assemble(gs.Gyrostat((1, "5/4", "8/5"), (0, s("s"), 0)), gs.circular_orbit(1))
     letters = gs.assemble(gs.Gyrostat(gyrostatic_momentum=(0, s("l"), 0)), gs.circular_orbit())
     round_one = gs.assemble(gs.symmetric_gyrostat(), gs.circular_orbit())
     vehicle = gs.underwater_vehicle(weight=(0, 0, s("m0")))
@@ -87,6 +88,7 @@ def results():
         "SolvedCondition": first, "System": k.top,
         "Spectrum": gs.spectrum(hanging, "pi3_0", (0, 1), {"I1": 1, "I3": 1, "l": 0, "m0": 1}),
         "StaudeCone": gs.staude_cone(k.heavy),
+        "SpeedSets": gs.wheel_speeds(k.spinning, "s").damped, "WheelSpeeds": gs.wheel_speeds(k.spinning, "s"),
         "Window": window, "charts.BoxDecision": boundary,
         "charts.CertifiedChart": gs.charts.certified_chart(k.report, region, resolution="1/64"),
         "charts.CompiledMargin": gs.charts.compile_margin(k.report.sufficient.alternatives[0][0]),
