@@ -88,7 +88,6 @@ def results():
         "SolvedCondition": first, "System": k.top,
         "Spectrum": gs.spectrum(hanging, "pi3_0", (0, 1), {"I1": 1, "I3": 1, "l": 0, "m0": 1}),
         "StaudeCone": gs.staude_cone(k.heavy),
-        "SpeedSets": gs.wheel_speeds(k.spinning, "s").damped, "WheelSpeeds": gs.wheel_speeds(k.spinning, "s"),
         "Window": window, "charts.BoxDecision": boundary,
         "charts.CertifiedChart": gs.charts.certified_chart(k.report, region, resolution="1/64"),
         "charts.CompiledMargin": gs.charts.compile_margin(k.report.sufficient.alternatives[0][0]),

@@ -58,7 +58,7 @@ if TYPE_CHECKING:
     from .parameters.solve import solve_condition
     from .parameters.spectra import Spectrum, spectrum
     from .parameters.stabilizing_set import stabilizing_set
-    from .parameters.wheel_speeds import SpeedSets, WheelSpeeds, wheel_speeds
+    from .parameters.wheel_speeds import wheel_speeds
     from .printing.formats.article import to_latex
     from .stability.criteria.conditions import Condition, Criterion
     from .stability.decision import Decision, Rung, Verdict
@@ -84,11 +84,10 @@ __all__ = [
     "newtonian_field", "NormalForm", "NOTATION", "Notion", "orbital_precession", "parallel_directions",
     "permanent_rotation", "Piece", "plotting", "Potential", "principal_rotation", "published", "questions",
     "relative_equilibria", "RelativeEquilibrium", "release", "Report", "Rotor",
-    "Rung", "Solution", "solve_condition", "SolvedCondition", "Spectrum", "spectrum", "SpeedSets",
-    "stabilizing_set",
+    "Rung", "Solution", "solve_condition", "SolvedCondition", "Spectrum", "spectrum", "stabilizing_set",
     "static_tilt", "staude_cone", "StaudeCone", "steady_motion", "stereographic", "symbol",
     "symmetric_gyrostat", "System", "table", "to_latex", "trajectories", "underwater_vehicle",
-    "uniform_field", "upright", "Verdict", "wheel_speeds", "WheelSpeeds", "Window",
+    "uniform_field", "upright", "Verdict", "wheel_speeds", "Window",
 ]
 
 __getattr__, __dir__ = _later(__name__, {
@@ -138,7 +137,7 @@ __getattr__, __dir__ = _later(__name__, {
     "parameters.solve": "solve_condition",
     "parameters.spectra": "Spectrum spectrum",
     "parameters.stabilizing_set": "stabilizing_set",
-    "parameters.wheel_speeds": "SpeedSets WheelSpeeds wheel_speeds",
+    "parameters.wheel_speeds": "wheel_speeds",
     "printing.formats.article": "to_latex",
     "notation": "NOTATION symbol",
 })

@@ -124,6 +124,8 @@ def wheel_speeds(scene: System, name: str, roll: int = 1, pitch: int = 2, yaw: i
     Returns
     -------
     WheelSpeeds
+        undamped and damped have the intervals stable, unstable and undecided, with exact ends in SI; turn is
+        the angle of the turn, carried the momentum of other wheels, only the one speed that holds it
 
     Raises
     ------

@@ -12,7 +12,7 @@ def test_the_speed_of_a_wheel_is_a_sentence_with_a_decimal_and_a_unit(capsys):
     _, out, _ = run(capsys, *SHEET, *WHEEL, verb="conditions")
     answer = out.split("\n")[2]
     assert answer.startswith("  Stable for a wheel speed above −") and answer.endswith(" rpm.")
-    assert "if other wheels carry besides the momentum (−0.00143882, 0, 0) kg m² s⁻¹" in " ".join(out.split())
+    assert "if other wheels carry besides the momentum (−0.00143882, 0, 0) N m s" in " ".join(out.split())
     plain = ("--orbit", "1", "--inertia", "1,7/10,4/5", "--wheel", "axis=0,1,0 inertia=1/100 speed=s",
              "--solve-for", "s")
     _, out, _ = run(capsys, *plain, verb="conditions")

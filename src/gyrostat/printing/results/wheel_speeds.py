@@ -11,7 +11,6 @@ from ...algebra.reals.exact import sign_of_constant
 from ...parameters.sets import Interval
 from ...parameters.wheel_speeds import SpeedSets, WheelSpeeds, unit_size
 from ..blocks import Block, Sentence, joined, listed, sentence
-from ..formats.si_units import unit_of
 from ..numbers import ALONE, in_sentence, rounded
 
 MORE = 20                                              # digits at most with which two ends are told apart
@@ -90,6 +89,6 @@ def _carried(found: WheelSpeeds) -> Sentence:
         return sentence("Each speed holds the attitude, because the axis of the wheel is along the normal of "
                         "the orbit, and nothing is missing across it.")
     momentum = [rounded(x, ROUND_HALF_EVEN) for x in found.carried]
-    unit = f" {unit_of('l')}" if found.unit else ""
+    unit = " N m s" if found.unit else ""
     return sentence("Each speed holds the attitude if other wheels carry besides the momentum (",
                     *listed(momentum), f"){unit}, in body axes; along the normal of the orbit it is free.")
