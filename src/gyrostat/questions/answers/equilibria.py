@@ -43,17 +43,21 @@ def labels_of(asked: Asked, given: Sequence[str] | None,
     principal = not isinstance(scene.body.inertia, ImmutableMatrix)
     if scene.kind is Kind.FREE and principal and not any(scene.body.gyrostatic_momentum[:2]):
         return (PRINCIPAL[2].label,), []
-    held, decide = [], ""
+    held, decide, why = [], "", ""
     if scene.kind is Kind.ORBIT:
-        decide = "; decide finds all if every name has a number"
+        decide = "; decide finds all attitudes at numbers"
     elif scene.kind is Kind.FREE:
         decide = "; decide finds all if every name and M have a number"
     elif not scene.unspecified:
         decide = ("; decide finds those of a rate omega, a level C1 or a direction k1, k2, k3 if every name "
                   "has a number")
     for family in likely(scene):
-        with contextlib.suppress(EquilibriumError):
+        try:
             held.append(report_at(asked, family.label, numbers).equilibrium.label)
+        except EquilibriumError as error:
+            why = why or str(error)
+    if scene.kind is Kind.ORBIT and not held:
+        return held, [Missing("Equilibria", f"{why}{decide}")]
     others = "Other equilibria" if held else "Equilibria"
     return held, [Missing(others, f"{others} of this scene are not looked for: give {by_point(scene)}, in "
                           f"numbers or expressions{decide}")]
