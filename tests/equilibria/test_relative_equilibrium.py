@@ -85,6 +85,7 @@ def velocity(e):
     return rate["omega"] * doubles(e.directions[0]) + spin
 
 
+@pytest.mark.few(2)
 def test_every_attribute_answers(found):
     """Or is None where there is no such thing."""
     for e in found:
@@ -130,6 +131,7 @@ def test_rates_and_directions_give_the_momentum(found):
             assert np.linalg.det(near) == pytest.approx(1, abs=1e-14)
 
 
+@pytest.mark.few(25)
 def test_the_energy_is_the_hamiltonian(found):
     """½ ω·Iω + U; in orbit ½ ω·Iω − ω0 n·(Iω + l) + 3 ω0² r·Ir/2, in the frame that turns."""
     for e in found:
@@ -175,6 +177,7 @@ def eigenvalues(e):
     return np.linalg.eigvals(oracle.jacobian(field, x, 1 if quadratic else 2**-16).astype(float))
 
 
+@pytest.mark.few(11)
 def test_frequencies_and_growth_rates_are_those_of_the_motion(found):
     """Every eigenvalue but 0 of the differenced equations; two that meet are apart by 1e-8 in doubles."""
     for e in found:
@@ -185,6 +188,7 @@ def test_frequencies_and_growth_rates_are_those_of_the_motion(found):
         assert float(e.growth_rate or 0) == pytest.approx(growth if growth > 1e-4 else 0, abs=1e-7), e
 
 
+@pytest.mark.few(2)
 def test_the_report_of_its_equilibrium_says_the_same(found):
     """Verdict, notion and growing modes; the rung too, where it stands alone: a set is decided as one."""
     for e in found:
@@ -204,6 +208,7 @@ def test_as_many_modes_grow_as_the_index_says(found):
             assert e.damped.growing == e.form.index, e
 
 
+@pytest.mark.few(2)
 def test_it_is_compared_hashed_and_pickled(found):
     """Equal to its copy alone, before and after it was asked."""
     for asked in (False, True):

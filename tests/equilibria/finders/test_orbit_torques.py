@@ -109,7 +109,7 @@ def some(rng, kind):
     return Satellite(tensor, vector(), {a: vector() for a in "tnr"})
 
 
-@pytest.mark.few(3)
+@pytest.mark.few(2)
 @pytest.mark.parametrize("kind", ["drag", "free wheel", "sum", "rotor", "dipole", "asteroid"])
 def test_none_is_missing(kind, full):
     """Random satellites against a search from many starts."""
@@ -118,6 +118,7 @@ def test_none_is_missing(kind, full):
         check(some(rng, kind), seed)
 
 
+@pytest.mark.slow
 def test_axes_are_turned_with_the_body():
     """In axes turned by a rational rotation the same attitudes, turned, with the same verdicts and rates."""
     moments, drag, rotor = [F(1), F(5, 4), F(8, 5)], [F(1, 10), F(1, 7), 0], [F(3, 10), 0, F(1, 10)]
@@ -148,6 +149,7 @@ def test_a_tensor_is_answered_as_its_principal_axes_are():
         assert e.decision == other[apart.argmin()].decision
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("rotor", "count", "meet"), [((1, 0, 0), 20, 2), ((3, 0, 0), 16, 2)])
 def test_where_attitudes_meet(rotor, count, meet):
     """At a fork, l = ω0 (I_j − I_i), three are one: it is found by exact algebra, and left open."""
@@ -162,6 +164,7 @@ def test_where_attitudes_meet(rotor, count, meet):
     assert sorted(map(str, (e.point for e in closed))) == sorted(map(str, (e.point for e in equilibria)))
 
 
+@pytest.mark.slow
 def test_wheels_in_rpm_at_a_height():
     """l/ω0 with π, √2 and the root of μ/a³ in it: the attitudes are those at decimals, as near as these."""
     wheels = [gs.Rotor((0, 0, 1), axial="1/100", rate=100 * pi), gs.Rotor((1, 1, 0), axial=3, rate=7)]
@@ -189,6 +192,7 @@ def test_a_body_of_revolution_with_drag_off_its_axis():
     assert not any(e.locus for e in equilibria)
 
 
+@pytest.mark.few(4)
 @pytest.mark.parametrize(("inertia", "rotor", "potential", "what"), [
     ((1, 2, 3), (0, 0, 0), "n1^3", "degree above 2"),
     ((1, 2, 3), (0, 0, 0), "sqrt(2 + n1)", "no polynomial"),
