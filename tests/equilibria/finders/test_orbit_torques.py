@@ -189,6 +189,21 @@ def test_a_body_of_revolution_with_drag_off_its_axis():
     assert not any(e.locus for e in equilibria)
 
 
+@pytest.mark.parametrize("c", [F(-6, 7), F(6, 7)])
+def test_rates_where_a_coefficient_of_the_spectrum_vanishes(c):
+    """Of the sextic that of λ²: K_roll = K_yaw, and K_pitch is minus what the other parts give."""
+    t, n, r, A = F(1, 7), F(5, 7), F(9, 7), F(-10, 7)
+    e = next(e for e in Satellite(turned([t, n, r], ONE), linear={"n": (0, c, 0)}, forms={
+        ("r", "r"): turned([0, 0, 2 * A], ONE)}).found() if e.doubles.place["n2"] == e.doubles.place["r3"] == 1)
+    K = [4 * (n - r) - c - 2 * A, 3 * (t - r) - 2 * A, n - t - c]
+    assert n * K[0] * K[2] + K[1] * (t * K[2] + r * K[0] + (t + r - n)**2) == 0
+    roots = np.roots([float(x) for x in (n * t * r, K[1] * t * r + n * (t * K[2] + r * K[0] + (t + r - n)**2),
+                                         0, K[0] * K[1] * K[2])])
+    slow = sorted(np.sqrt(-x.real) for x in roots if abs(x.imag) < 1e-12 and x.real < 0)
+    assert e.doubles.frequencies == pytest.approx(slow, rel=1e-12)
+    assert e.doubles.growth_rate == pytest.approx(np.sqrt(roots.astype(complex)).real.max(), rel=1e-12)
+
+
 @pytest.mark.parametrize(("inertia", "rotor", "potential", "what"), [
     ((1, 2, 3), (0, 0, 0), "n1^3", "degree above 2"),
     ((1, 2, 3), (0, 0, 0), "sqrt(2 + n1)", "no polynomial"),
