@@ -193,8 +193,9 @@ def test_a_body_of_revolution_with_drag_off_its_axis():
 def test_rates_where_a_coefficient_of_the_spectrum_vanishes(c):
     """Of the sextic that of λ²: K_roll = K_yaw, and K_pitch is minus what the other parts give."""
     t, n, r, A = F(1, 7), F(5, 7), F(9, 7), F(-10, 7)
-    e = next(e for e in Satellite(turned([t, n, r], ONE), linear={"n": (0, c, 0)}, forms={
-        ("r", "r"): turned([0, 0, 2 * A], ONE)}).found() if e.doubles.place["n2"] == e.doubles.place["r3"] == 1)
+    forms = {("r", "r"): turned([0, 0, 2 * A], ONE)}
+    e = next(e for e in Satellite(turned([t, n, r], ONE), linear={"n": (0, c, 0)}, forms=forms).found()
+             if e.doubles.place["n2"] == e.doubles.place["r3"] == 1)
     K = [4 * (n - r) - c - 2 * A, 3 * (t - r) - 2 * A, n - t - c]
     assert n * K[0] * K[2] + K[1] * (t * K[2] + r * K[0] + (t + r - n)**2) == 0
     roots = np.roots([float(x) for x in (n * t * r, K[1] * t * r + n * (t * K[2] + r * K[0] + (t + r - n)**2),
