@@ -27,7 +27,7 @@ def conditions(spectrum: Sequence[Any]) -> list[Any]:
     if len(spectrum) == 3:
         d, p, q = spectrum
         return [p, p * p - 4 * d * q]
-    d, a, b, c = spectrum                                  # ** gives no finite power of a ball that contains 0
+    d, a, b, c = spectrum                      # products: ** gives no finite power of a ball that contains 0
     return [a, b, c, a * a * b * b - 4 * d * b * b * b - 4 * a * a * a * c + 18 * d * a * b * c
             - 27 * d * d * c * c]
 
