@@ -3,7 +3,7 @@ import json
 from fractions import Fraction
 
 import pytest
-from commands import run
+from commands import run, scene_file
 from scene_kinds import CASES
 
 import gyrostat as gs
@@ -24,14 +24,7 @@ def case(request):
 @pytest.fixture
 def file(case, tmp_path):
     """The scene as a file; of a point its coordinates are named on the command line."""
-    def written(value):
-        if isinstance(value, dict):
-            return "{ " + ", ".join(f"{name} = {written(x)}" for name, x in value.items()) + " }"
-        return json.dumps(value)
-
-    table = case.table | {"values": case.values}
-    path = tmp_path / "scenes.toml"
-    path.write_text("[scene.one]\n" + "\n".join(f"{name} = {written(x)}" for name, x in table.items()))
+    path = scene_file(case, tmp_path / "scenes.toml")
     return f"{path}#one"
 
 
