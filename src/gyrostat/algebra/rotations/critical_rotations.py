@@ -57,7 +57,7 @@ class RotationZeros(RealNumbers):
             near = [(x / size).mid() for x in q]
             is_real = all(abs(x.imag) < arb(2) ** (-ctx.prec // 3) for x in near)
             box = self._equations.enclosed([acb(x.real) for x in near] if is_real else near)
-            if box is not None and not is_real and all(x.imag.contains(0) for x in box):  # it was near
+            if box is not None and not is_real and all(x.imag.contains(0) for x in box):  # a real one
                 is_real, box = True, self._equations.enclosed([acb(x.real) for x in near])
             if box is None or not is_real and self._ratio(box).imag.contains(0):
                 return None
