@@ -14,11 +14,13 @@ from ..finders.rate_level_tilt import names_of
 from .following import follow
 from .free_branches import FreeBranches
 from .heavy_branches import HeavyBranches
+from .orbit_branches import OrbitBranches
 from .pieces import Continuation
 from .revolution_branches import RevolutionBranches
 
-CURVES: dict[Kind, type[FreeBranches | HeavyBranches | RevolutionBranches]] = {
-    Kind.FREE: FreeBranches, Kind.REVOLUTION: RevolutionBranches, Kind.FIELD: HeavyBranches}
+CURVES: dict[Kind, type[FreeBranches | HeavyBranches | OrbitBranches | RevolutionBranches]] = {
+    Kind.FREE: FreeBranches, Kind.REVOLUTION: RevolutionBranches, Kind.FIELD: HeavyBranches,
+    Kind.ORBIT: OrbitBranches}
 
 
 @checked
@@ -73,7 +75,8 @@ def continuation(scene: System, name: str, ends: tuple[Any, Any], values: Mappin
     >>> len(found.pieces)
     10
     """
-    in_one_direction(scene.potential, "continuation")
+    if scene.kind not in CURVES:
+        in_one_direction(scene.potential, "continuation")
     low, high = (exact_number(end, name) for end in ends)
     if not all(isfinite(float(end)) for end in (low, high)):
         raise ValuesError(f"the range of {name} is {shown(low)} to {shown(high)}: branches are drawn in "

@@ -34,6 +34,10 @@ class Mark(Shown, Stored):
         for a free gyrostat: M
     k : tuple of Expr, shape (3,), or None
         for a body in a field that is not of revolution
+    n, r : tuple of Expr, shape (3,), or None
+        for a satellite, to five decimals
+    numbers : (int, int) or None
+        for a satellite: how many attitudes there are before and after this value, exact
     changes : bool or None
         whether stability changes along a branch; where U is infinite it may, with no equilibrium between;
         None if it was not asked, as where rotations meet
@@ -55,4 +59,7 @@ class Mark(Shown, Stored):
     nu: Expr | None = None
     momentum: tuple[Expr, ...] | None = None
     k: tuple[Expr, ...] | None = None
+    n: tuple[Expr, ...] | None = None
+    r: tuple[Expr, ...] | None = None
+    numbers: tuple[int, int] | None = None
     changes: bool | None = None
