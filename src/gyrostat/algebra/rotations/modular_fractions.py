@@ -1,6 +1,7 @@
 """Finds fractions by their residues modulo many primes."""
 from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
+from itertools import islice
 from math import isqrt
 
 from flint import fmpz
@@ -16,7 +17,7 @@ def by_residues(residues: Callable[[int], Sequence[int] | None]) -> list[Fractio
     Parameters
     ----------
     residues : callable
-        takes a prime; None if it is not to be used
+        takes a prime; None if it is not to be used; if it gives more residues, the fractions are those
 
     Returns
     -------
@@ -26,19 +27,19 @@ def by_residues(residues: Callable[[int], Sequence[int] | None]) -> list[Fractio
     modulus, count, attempt = 1, 0, 1.0
     whole: list[int] = []
     found: list[Fraction] = []
-    for p in _primes():
+    for p in islice(_primes(), MOST):
         if (values := residues(p)) is None:
             continue
+        if len(values) > len(whole):
+            modulus, count, attempt, whole, found = 1, 0, 1.0, [0] * len(values), []
         if found and all(x.numerator % p == value * x.denominator % p for x, value in zip(found, values)):
             return found
-        inverse, whole = pow(modulus, -1, p), whole or [0] * len(values)
+        inverse = pow(modulus, -1, p)
         whole = [x + modulus * ((value - x) * inverse % p) for x, value in zip(whole, values)]
         modulus, found, count = modulus * p, [], count + 1
         if count >= attempt:
             several, attempt = [_fraction(x, modulus) for x in whole], count * GROWTH
             found = [x for x in several if x is not None] if None not in several else []
-        if count > MOST:
-            break
     return None
 
 

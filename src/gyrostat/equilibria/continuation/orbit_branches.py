@@ -5,7 +5,7 @@ from math import lcm
 from typing import Any
 
 import numpy as np
-from sympy import Expr, Float, Poly, Rational, oo
+from sympy import Expr, Float, Poly, Rational, S, oo
 
 from ..._cached import cached_property
 from ...algebra.enclosures.floats import Array
@@ -16,6 +16,7 @@ from ...algebra.rotations.bounds import LINES, bounded
 from ...algebra.rotations.followed_rotations import FollowedRotations, apart
 from ...algebra.rotations.meeting_polynomial import MeetingPolynomial
 from ...algebra.rotations.quartic_forms import Form, QuarticForm, quartic
+from ...algebra.solving.roots import between as beyond
 from ...algebra.solving.roots import in_order, inside, roots_of_polynomial
 from ...algebra.solving.stations import between
 from ...errors import ScopeError
@@ -51,11 +52,18 @@ class OrbitBranches:
     """
 
     def __init__(self, scene: System, name: str, low: Expr, high: Expr, values: Mapping[str, Any]):
+        """Take a range, or −∞ to ∞ for all values that are admissible."""
         numbers = numbers_beside(scene, name, values, {s.name for s in names_of_scene(scene)}, "attitudes")
         self.scene, self.name, self.values, self.free = scene, name, values, symbol(name)
-        self.placed, self.ends = at_numbers(scene, dict(numbers)), (low, high)
+        self.placed, positive = at_numbers(scene, dict(numbers)), (*scene.body.positive, orbital_rate(scene))
         if low != -oo:
-            admissible((*scene.body.positive, orbital_rate(scene)), numbers, self.free, low, high)
+            admissible(positive, numbers, self.free, low, high)
+        elif self.free in positive:
+            low = S.Zero
+        elif any(self.free in x.free_symbols for x in positive):
+            raise ScopeError(f"the tensor is not that of a body for every {name}: give a range, "
+                             "continuation(scene, name, ends, values).marks")
+        self._range = low, high
         self._spans: dict[tuple[Expr, Expr], Span] = {}
 
     @cached_property
@@ -90,15 +98,22 @@ class OrbitBranches:
             raise ScopeError(CURVES)
         if bound.most > MOST:
             raise ScopeError(f"there may be {bound.most} attitudes, complex ones too, and the values at "
-                             f"which they meet are found if there are at most {MOST}, as in the gravity "
-                             "gradient with torques that do not depend on the attitude: take relative_equilibria at "
-                             "several values")
+                             f"which they meet are found if there are at most {MOST}, as with torques "
+                             "that are constant along orbital axes: take relative_equilibria at several "
+                             "values")
         return in_order(roots_of_polynomial(MeetingPolynomial(self.forms, bound).bare))
 
     @cached_property
     def stations(self) -> list[Expr]:
         """The values inside the range at which two attitudes may meet."""
-        return inside(self.meetings, *self.ends)
+        return inside(self.meetings, *self._range)
+
+    @cached_property
+    def ends(self) -> tuple[Expr, Expr]:
+        """The ends of the range; if it is infinite, numbers beyond the stations."""
+        low, high = self._range
+        first, last = (self.stations[0], self.stations[-1]) if self.stations else (S.One, S.One)
+        return beyond(low, first) if low == -oo else low, beyond(last, high) if high == oo else high
 
     def alone(self, station: Expr) -> tuple[()]:
         """Return no isolated attitudes: those at one value alone are not looked for."""
@@ -203,4 +218,4 @@ def _kind(before: int, after: int) -> str:
 
 
 def _rounded(vector: Array) -> tuple[Expr, ...]:
-    return tuple(Float(round(x, DIGITS) + 0.0) for x in (vector / np.linalg.norm(vector)).tolist())
+    return tuple(Float(round(x, DIGITS) + 0.0, DIGITS) for x in (vector / np.linalg.norm(vector)).tolist())
