@@ -35,7 +35,7 @@ ONLY_IN_ORBIT = {
     "draw_bifurcation_diagram": lambda scene: gs.plotting.draw_bifurcation_diagram(
         scene, "omega", (0, 1), {})}
 ANSWERED = {"equilibrium", "assemble", "earth_pointing", "relative_equilibria", "orbital_precession",
-            "steady_motion", "release", "draw_attitudes"}
+            "steady_motion", "release", "draw_attitudes", "wheel_speeds"}
 
 
 @pytest.mark.parametrize("scene", SCENES)
