@@ -141,6 +141,7 @@ def test_a_moment_and_the_rate():
 @pytest.mark.parametrize(("scene", "name", "said"), [
     (satellite(BODY, (0, L, gs.symbol("l3"))), "l", "need l3"),
     (satellite(BODY, (0, L, 0)), "omega", "omega"),
+    (satellite(BODY), "l", "all numbers of the scene are given"),
     (satellite(BODY, (0, L, 0), rate="sqrt(2)"), "l", "not rational"),
     (satellite((1, 1, 2), (0, 0, L)), "l", "lie on curves"),
     (satellite(BODY, (0, L, 0), potential="t1*r2 + n1*r1"), "l", "there may be 40"),

@@ -44,6 +44,9 @@ def admissible(positive: Iterable[Expr], numbers: Point, free: Symbol, low: Expr
 
 def numbers_beside(scene: System, name: str, values: Mapping[str, Any], needed: set[str], what: str) -> Point:
     """Return the values of all names that are needed but the one that is free; refuse any others."""
+    if not needed:
+        raise ValuesError(f"all numbers of the scene are given, and {name} is to be free: write the letter "
+                          f"{name} in its body or its field")
     if name not in needed:
         raise ValuesError(unknown(name, sorted(needed), "the scene"))
     if name in values:
