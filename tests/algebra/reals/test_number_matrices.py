@@ -23,6 +23,7 @@ def rows(height, width):
     return st.lists(st.lists(FEW, min_size=width, max_size=width), min_size=height, max_size=height)
 
 
+@pytest.mark.slow
 @settings(max_examples=60, deadline=None)
 @given(above=rows(2, 4), below=rows(3, 4))
 def test_the_kernel_of_rationals(above, below):

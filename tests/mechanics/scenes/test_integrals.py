@@ -69,6 +69,7 @@ def test_refused_of_other_scenes():
         gs.assemble(gs.symmetric_gyrostat(), gs.uniform_field(), integrals=("M3^2",))
 
 
+@pytest.mark.slow
 def test_monitored_along_a_motion():
     """Motion.invariants and drift; an integral of the level C1 = 0 only on that level."""
     scene = gs.assemble(gs.Gyrostat((2, 2, 1), (0, 0, 0)), gs.general_potential(K1),
