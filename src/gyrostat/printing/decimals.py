@@ -42,8 +42,7 @@ def compared(condition: Condition) -> Display:
     """Write a condition with long coefficients: x > −18.8153… if it is linear in one name."""
     scaled = in_decimals(condition.margin, scale=True)
     names = scaled.free_symbols
-    strict = "≤≥", "<>"
-    less, greater = strict[condition.strict]
+    less, greater = ("<", ">") if condition.strict else ("≤", "≥")
     if len(names) == 1 and scaled.diff(*names).is_number:
         slope, (x,) = condition.margin.diff(*names), names
         value = in_sentence(-condition.margin.xreplace({x: S.Zero}) / slope)
