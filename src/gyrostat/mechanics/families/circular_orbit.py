@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from numbers import Integral
 from typing import Any, ClassVar
 
-from sympy import Add, Expr, ImmutableMatrix, Rational, S
+from sympy import Add, Expr, ImmutableMatrix, Rational, S, Symbol
 
 from ...algebra.reals.exact import is_identically_zero
 from ...algebra.rings.matrices import cross
@@ -120,7 +120,7 @@ def _beside(potential: Any) -> tuple[Expr, Expr]:
     """Return another energy in the directions of the orbit, as it is given and in n and r alone."""
     given = None if callable(potential) else exact_expression(potential, "U")
     potential = potential if given is None else given.xreplace(VELOCITY)
-    names = getattr(potential, "free_symbols", set())
+    names: set[Symbol] = getattr(potential, "free_symbols", set())
     if fixed := sorted(str(k) for k in names & set(DIRECTIONS)):
         raise PotentialError(f"U = {brief(potential)} has {', '.join(fixed)}, a direction fixed in space, "
                              "and in an orbit the directions turn: leave U out, the gravity gradient acts "
