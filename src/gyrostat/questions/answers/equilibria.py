@@ -10,6 +10,7 @@ from sympy import Expr, ImmutableMatrix, Symbol
 from ...algebra.text.grammar import parse
 from ...errors import EquilibriumError, GyrostatError, ValuesError
 from ...mechanics.equilibrium.equilibrium import Equilibrium
+from ...mechanics.families.circular_orbit import by_gradient_alone
 from ...mechanics.families.named_families import E3, E3_AT_REST, FAMILIES, PRINCIPAL
 from ...mechanics.scenes.kind import Kind
 from ...mechanics.scenes.system import System, at_numbers, names_of_scene
@@ -57,7 +58,7 @@ def labels_of(asked: Asked, given: Sequence[str] | None,
             held.append(report_at(asked, family.label, numbers).equilibrium.label)
         except EquilibriumError as error:
             why = why or str(error)
-    if scene.kind is Kind.ORBIT and not held:
+    if by_gradient_alone(scene) and not held:
         return held, [Missing("Equilibria", f"{why}; decide finds all attitudes at numbers")]
     others = "Other equilibria" if held else "Equilibria"
     return held, [Missing(others, f"{others} of this scene are not looked for: give {by_point(scene)}, in "
