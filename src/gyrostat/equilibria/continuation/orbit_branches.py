@@ -70,7 +70,8 @@ class OrbitBranches:
     @cached_property
     def _terms(self) -> dict[tuple[tuple[int, ...], int], Expr]:
         """The coefficients of V, or of V/ω0², by exponents of n and r and of the free name."""
-        rate, found = orbital_rate(self.placed), {}
+        rate = orbital_rate(self.placed)
+        found: dict[tuple[tuple[int, ...], int], Expr] = {}
         for e, c in amended_terms(self.placed).items():
             c = evaluate(c if rate.free_symbols else c / rate**2, {})
             if not c.is_polynomial(self.free):
