@@ -190,9 +190,10 @@ def _check_rotor(scene: System, t: ImmutableMatrix, n: ImmutableMatrix, r: Immut
                "l·r + 4 ω0 r·In": r.dot(l) + 4 * rate * r.dot(I * n)}
     left = [f"{name} = {_short(x)}" for name, x in torques.items() if is_identically_zero(x) is False]
     if left:
+        remedy = ("turn the body about the normal, as earth_pointing_gyrostat says" if left[0][:4] == "t·Ir"
+                  else "give the momentum held, or that of earth_pointing_gyrostat")
         raise EquilibriumError(f"Earth-pointing is not an equilibrium of this body: {', '.join(left)}, and "
-                               "each must be 0. In principal axes put the rotor along pitch; "
-                               "earth_pointing_gyrostat gives one that holds it")
+                               f"each must be 0: {remedy}")
 
 
 def _short(value: Expr) -> str:

@@ -10,6 +10,7 @@ from sympy import Expr, ImmutableMatrix, Symbol
 from ...algebra.text.grammar import parse
 from ...errors import EquilibriumError, GyrostatError, ValuesError
 from ...mechanics.equilibrium.equilibrium import Equilibrium
+from ...mechanics.families.circular_orbit import by_gradient_alone
 from ...mechanics.families.named_families import E3, E3_AT_REST, FAMILIES, PRINCIPAL
 from ...mechanics.scenes.kind import Kind
 from ...mechanics.scenes.system import System, at_numbers, names_of_scene
@@ -44,7 +45,7 @@ def labels_of(asked: Asked, given: Sequence[str] | None,
     principal = not isinstance(scene.body.inertia, ImmutableMatrix)
     if scene.kind is Kind.FREE and principal and not any(scene.body.gyrostatic_momentum[:2]):
         return (PRINCIPAL[2].label,), []
-    held, decide = [], ""
+    held, decide, why = [], "", ""
     if scene.kind is Kind.ORBIT:
         decide = "; decide finds all if every name has a number" + _without(scene, numbers)
     elif scene.kind is Kind.FREE:
@@ -53,8 +54,12 @@ def labels_of(asked: Asked, given: Sequence[str] | None,
         decide = ("; decide finds those of a rate omega, a level C1 or a direction k1, k2, k3 if every name "
                   "has a number")
     for family in likely(scene):
-        with contextlib.suppress(EquilibriumError):
+        try:
             held.append(report_at(asked, family.label, numbers).equilibrium.label)
+        except EquilibriumError as error:
+            why = why or str(error)
+    if by_gradient_alone(scene) and not held:
+        return held, [Missing("Equilibria", f"{why}; decide finds all attitudes at numbers")]
     others = "Other equilibria" if held else "Equilibria"
     return held, [Missing(others, f"{others} of this scene are not looked for: give {by_point(scene)}, in "
                           f"numbers or expressions{decide}")]
