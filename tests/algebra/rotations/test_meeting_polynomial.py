@@ -1,5 +1,6 @@
 """The values of a parameter at which critical points of a quartic form meet."""
 from fractions import Fraction
+from math import prod
 from random import Random
 
 from flint import fmpq_poly
@@ -19,17 +20,38 @@ def gravity(moments, rotor):
     return quartic(terms)
 
 
+def bound_at(form):
+    """The bound for the number of critical points."""
+    return next(filter(None, (bounded(QuarticForm(form), lines) for lines in LINES)))
+
+
+def found(form):
+    """The polynomial for a form that is linear in a number."""
+    fixed, whole = form(0), form(1)
+    slope = {e: whole[e] - fixed[e] for e in fixed}
+    return MeetingPolynomial([fixed, slope], bound_at(form(1234567))).bare
+
+
+def product(factors):
+    """The monic product of polynomials, each by its coefficients from the constant one up."""
+    whole = prod(map(fmpq_poly, factors), start=fmpq_poly([1]))
+    return whole / whole[whole.degree()]
+
+
 def test_those_of_a_rotor_along_an_axis():
     """l² is a², b², 16 a², 16 b² and 4 a b, with a = I1 − I2 and b = I3 − I2; simple roots, and no others."""
-    first, third = 5, 7
-    moments = 20, 15, 22
-    fixed, whole = gravity(moments, 0), gravity(moments, 1)
-    slope = {e: whole[e] - fixed[e] for e in fixed}
-    bound = next(filter(None, (bounded(QuarticForm(gravity(moments, 1234567)), lines) for lines in LINES)))
-    expected = fmpq_poly([1])
-    for square in (first**2, third**2, 16 * first**2, 16 * third**2, 4 * first * third):
-        expected *= fmpq_poly([-square, 0, 1])
-    assert MeetingPolynomial([fixed, slope], bound).bare == expected
+    squares = 25, 49, 16 * 25, 16 * 49, 4 * 5 * 7
+    assert found(lambda l: gravity((20, 15, 22), l)) == product([-x, 0, 1] for x in squares)
+
+
+def test_those_of_a_moment():
+    """The same equations, solved for I2 with l = 3; and I2 = I1, I3, where complex ones go to N = 0."""
+    pairs = [(20, 1), (20, 4), (32, 1), (32, 4)]           # k² (I − I2)² = 9
+    meet = [[k**2 * I**2 - 9, -2 * k**2 * I, k**2] for I, k in pairs]
+    curve = [4 * 20 * 32 - 9, -4 * (20 + 32), 4]
+    assert found(lambda I2: gravity((20, I2, 32), 3)) == product([*meet, curve, [-20, 1], [-32, 1]])
+    for I2 in (20, 32):
+        assert bound_at(gravity((20, I2, 32), 3)).most < bound_at(gravity((20, 25, 32), 3)).most
 
 
 def test_fractions_by_residues():

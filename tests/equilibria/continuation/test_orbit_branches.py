@@ -6,6 +6,7 @@ from random import Random
 import numpy as np
 import pytest
 from attitude_search import search, torque
+from sympy import Rational, pi, sqrt
 
 import gyrostat as gs
 from gyrostat.errors import ScopeError, ValuesError
@@ -68,6 +69,15 @@ def test_where_a_closed_curve_of_attitudes_passes():
     assert {(mark.kind, str(mark.value**2), mark.numbers, mark.changes) for mark in found.marks} == {
         (SINGULAR, "18/25", (16, 16), True)}
     assert len(found.marks) == 8
+
+
+def test_where_the_body_is_one_of_revolution():
+    """At I2 = I1 every attitude of a rigid satellite lies on a circle about axis 3, and else there are 24."""
+    found = gs.continuation(satellite((1, gs.symbol("I2"), BODY[2])), "I2", (F(3, 4), F(5, 4)), {})
+    assert [(mark.kind, mark.value, mark.numbers) for mark in found.marks] == 24 * [(SINGULAR, 1, (24, 24))]
+    for side in (0, -1):
+        here = [piece for piece in found.pieces if piece.parameter[side] != 1]
+        assert sum(piece.verdict.name == "STABLE" for piece in here) == 4
 
 
 @pytest.mark.slow
@@ -138,11 +148,23 @@ def test_a_moment_and_the_rate():
         sorted((k * abs(BODY[n] - BODY[1]) for n in (0, 2) for k in (1, 4)), reverse=True))]
 
 
+def test_an_irrational_rate():
+    """With ω0 = √2, as by mu and radius, and a rotor with π: at ω0 times the values for ω0 = 1.
+
+    At each of the two values two pitchforks end six pieces and begin two; the others go on.
+    """
+    scene = satellite(BODY, (0, gs.symbol("a") * pi, 0), rate="sqrt(2)")
+    found = gs.continuation(scene, "a", (F(1, 4), 1), {})
+    assert {((mark.value * pi / sqrt(2)).simplify(), mark.numbers) for mark in found.marks} == {
+        (1, (16, 12)), (Rational(7, 5), (12, 8))}
+    assert len(found.pieces) == 16 + 2 + 2
+
+
 @pytest.mark.parametrize(("scene", "name", "said"), [
     (satellite(BODY, (0, L, gs.symbol("l3"))), "l", "need l3"),
     (satellite(BODY, (0, L, 0)), "omega", "omega"),
     (satellite(BODY), "l", "all numbers of the scene are given"),
-    (satellite(BODY, (0, L, 0), rate="sqrt(2)"), "l", "not rational"),
+    (satellite(BODY, (1, L, 0), rate="sqrt(2)"), "l", "not rational"),
     (satellite((1, 1, 2), (0, 0, L)), "l", "lie on curves"),
     (satellite(BODY, (0, L, 0), potential="t1*r2 + n1*r1"), "l", "there may be 40"),
     (satellite(BODY, (0, L, 0), potential="r1**3"), "l", "degree above 2"),

@@ -1,9 +1,8 @@
 """Follows critical points of quartic forms F = Σ sᵏ F_k along s, in doubles and by proof."""
 from collections.abc import Sequence
-from fractions import Fraction
 
 import numpy as np
-from flint import acb, arb, fmpq
+from flint import acb, arb
 
 from ...errors import ScopeError
 from ..enclosures.floats import Array
@@ -15,7 +14,7 @@ POWERS = np.array([*monomials(4)])
 STEPS, CLOSE, LEAST = 16, 1e-11, 1e-15                 # of Newton's method; the turn, or torque, that ends it
 FARTHEST, HALVINGS = 0.1, 30                           # of one step; how often it is halved
 APART = 1e-7                                           # points that are different
-PROOF = 36                                             # bits of the enclosures
+PROOFS = 44, 36, 28                                    # bits of the enclosures: the box has half of them
 
 
 class FollowedRotations:
@@ -34,7 +33,7 @@ class FollowedRotations:
         self._bends = np.array([[[_row(turned(f, turn), size) for turn in TURNS] for f in each]
                                 for each in torques])
 
-    def along(self, start: Array, values: Sequence[Fraction]) -> Array:
+    def along(self, start: Array, values: Sequence[float]) -> Array:
         """Return q at each value, shape (values, points, 4), by those near the first, shape (points, 4).
 
         Raises
@@ -42,24 +41,26 @@ class FollowedRotations:
         ScopeError
             two of them come so near to each other that doubles do not tell them apart
         """
-        found = [self._at(start, float(values[0]))]
+        found = [self._at(start, values[0])]
         for before, after in zip(values, values[1:]):
-            found.append(self._step(found[-1], float(before), float(after), HALVINGS))
+            found.append(self._step(found[-1], before, after, HALVINGS))
         return np.array(found)
 
-    def goes_on(self, q: Array, low: Fraction, high: Fraction) -> bool:
-        """Tell whether it is proved that a simple critical point goes on near q at all values between two.
+    def goes_on(self, q: Array, values: arb) -> bool:
+        """Tell whether it is proved that a simple critical point goes on near q at all values in a ball.
 
         References
         ----------
         Krawczyk, Computing 4 (1969) 187-201, with s in an interval.
         """
-        with own_precision(PROOF):
-            first, last = (arb(fmpq(x.numerator, x.denominator)) for x in (low, high))
-            s = first.union(last)
-            whole = {e: sum((s**k * form[e] for k, form in enumerate(self._forms) if form[e]), arb(0))
-                     for e in monomials(4)}
-            return CriticalEquations(QuarticForm(whole)).enclosed([acb(x) for x in q.tolist()]) is not None
+        whole = {e: sum((values**k * form[e] for k, form in enumerate(self._forms) if form[e]), arb(0))
+                 for e in monomials(4)}
+        equations = CriticalEquations(QuarticForm(whole))
+        for bits in PROOFS:
+            with own_precision(bits):
+                if equations.enclosed([acb(x) for x in q.tolist()]) is not None:
+                    return True
+        return False
 
     def _step(self, q: Array, s: float, to: float, halvings: int) -> Array:
         try:

@@ -35,6 +35,10 @@ class MeetingPolynomial:
         F_k
     bound : Bound
         of F at a value of s that is not special
+
+    References
+    ----------
+    Derived in docs/explanation/derivations/satellite.md, section 10, formula (17).
     """
 
     def __init__(self, forms: Sequence[Form], bound: Bound):

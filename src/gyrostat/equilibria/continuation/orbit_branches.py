@@ -8,6 +8,7 @@ import numpy as np
 from sympy import Expr, Float, Poly, Rational, S, oo
 
 from ..._cached import cached_property
+from ...algebra.enclosures.balls import ball
 from ...algebra.enclosures.floats import Array
 from ...algebra.enclosures.rationals import to_sympy
 from ...algebra.reals.exact import evaluate
@@ -19,7 +20,7 @@ from ...algebra.rotations.quartic_forms import Form, QuarticForm, quartic
 from ...algebra.solving.roots import between as beyond
 from ...algebra.solving.roots import in_order, inside, roots_of_polynomial
 from ...algebra.solving.stations import between
-from ...errors import ScopeError
+from ...errors import ScopeError, brief
 from ...mechanics.classical.quaternion import quaternion_products
 from ...mechanics.families.circular_orbit import orbital_rate
 from ...mechanics.scenes.system import System, at_numbers, names_of_scene
@@ -33,7 +34,7 @@ from ..relative_equilibrium import RelativeEquilibrium
 from .following import Pieces
 from .heavy_changes import SINGULAR
 from .mark import Mark
-from .pencil_branches import fractions_between
+from .pencil_branches import PRECISION, fractions_between
 from .pieces import Piece
 from .stations_at_rate import admissible, numbers_beside
 
@@ -67,19 +68,33 @@ class OrbitBranches:
         self._spans: dict[tuple[Expr, Expr], Span] = {}
 
     @cached_property
-    def forms(self) -> list[Form]:
-        """The forms F_k of V N² = Σ sᵏ F_k over a positive number, with s as the free name."""
-        powers: dict[int, dict[tuple[int, ...], Rational]] = {}
+    def _terms(self) -> dict[tuple[tuple[int, ...], int], Expr]:
+        """The coefficients of V, or of V/ω0², by exponents of n and r and of the free name."""
+        rate = orbital_rate(self.placed)
+        found: dict[tuple[tuple[int, ...], int], Expr] = {}
         for e, c in amended_terms(self.placed).items():
-            c = evaluate(c, {})
+            c = evaluate(c if rate.free_symbols else c / rate**2, {})
             if not c.is_polynomial(self.free):
                 raise ScopeError(f"the potential is not polynomial in {self.name}, and the values at which "
                                  "attitudes meet are those of a polynomial: choose another name")
-            for (k,), number in Poly(c, self.free).terms():
-                if not isinstance(number, Rational):
-                    raise ScopeError(f"{number} is not rational, and the values of {self.name} at which "
-                                     "attitudes meet are found at rational numbers: round it to decimals")
-                powers.setdefault(k, {})[e] = number
+            found |= {(e, k): number for (k,), number in Poly(c, self.free).terms()}
+        return found
+
+    @cached_property
+    def scale(self) -> Expr:
+        """The number, as 1/ω0, that makes the coefficients rational which are linear in the free name."""
+        irrational = (c for (_, k), c in self._terms.items() if k == 1 and not isinstance(c, Rational))
+        return next(irrational, S.One)
+
+    @cached_property
+    def forms(self) -> list[Form]:
+        """The forms F_k of V N² = Σ sᵏ F_k over a positive number, with s as the free name times `scale`."""
+        powers: dict[int, dict[tuple[int, ...], Rational]] = {}
+        for (e, k), c in self._terms.items():
+            if not isinstance(number := evaluate(c / self.scale**k, {}), Rational):
+                raise ScopeError(f"{brief(number)} is not rational, and the values of {self.name} at which "
+                                 "attitudes meet are found at rational numbers: round them to decimals")
+            powers.setdefault(k, {})[e] = number
         bottom = lcm(*(x.q for terms in powers.values() for x in terms.values()))
         found = [quartic({e: int(x * bottom) for e, x in powers.get(k, {}).items()})
                  for k in range(min(powers), max(powers) + 1)]
@@ -101,7 +116,8 @@ class OrbitBranches:
                              f"which they meet are found if there are at most {MOST}, as with torques "
                              "that are constant along orbital axes: take relative_equilibria at several "
                              "values")
-        return in_order(roots_of_polynomial(MeetingPolynomial(self.forms, bound).bare))
+        roots = roots_of_polynomial(MeetingPolynomial(self.forms, bound).bare)
+        return in_order([evaluate(root / self.scale, {}) for root in roots])
 
     @cached_property
     def stations(self) -> list[Expr]:
@@ -130,8 +146,9 @@ class OrbitBranches:
     def through(self, station: Expr, before: Pieces, after: Pieces) -> Iterator[tuple[int, int]]:
         """Yield which pieces go on as which: those of which it is proved that they do."""
         (low, left), (high, right) = self._beside(station)
+        first, last = (ball(to_sympy(x) * self.scale, PRECISION) for x in (low, high))
         for i, q in enumerate(left):
-            if self._followed.goes_on(q, low, high):
+            if self._followed.goes_on(q, first.union(last)):
                 yield i, int(np.argmin(apart(q[None], right)))
 
     def marks(self, station: Expr, before: Pieces | None, after: Pieces | None) -> Iterator[Mark]:
@@ -142,19 +159,27 @@ class OrbitBranches:
         ends = [i for i in range(len(left)) if i not in {i for i, _ in pairs}]
         begins = [j for j in range(len(right)) if j not in {j for _, j in pairs}]
         points = np.concatenate([left[ends], right[begins]])
+        one, other = (span[2] for span in self._around(station))
+        index = [*(one[i].form.index for i in ends), *(other[j].form.index for j in begins)]
         for group in _groups(points):
-            one = [before[ends[n]] if n < len(ends) else after[begins[n - len(ends)]] for n in group]
-            few = sum(n < len(ends) for n in group)
+            few, changes = sum(n < len(ends) for n in group), None
+            if (few, len(group)) == (1, 2):                # it goes on, and nothing is said if K stays
+                i, j = group
+                changes = before[ends[i]].verdict is not after[begins[j - len(ends)]].verdict
+                if index[i] == index[j]:
+                    continue
             _, n, r = _frame(points[group]).mean(axis=1)
             yield Mark(_kind(few, len(group) - few), self.name, station, n=_rounded(n), r=_rounded(r),
-                       numbers=(len(before), len(after)),
-                       changes=one[0].verdict is not one[1].verdict if (few, len(group)) == (1, 2) else None)
+                       numbers=(len(before), len(after)), changes=changes)
+
+    def _around(self, station: Expr) -> tuple[Span, Span]:
+        places = [self.ends[0], *self.stations, self.ends[1]]
+        n = places.index(station)
+        return self._span(places[n - 1], places[n]), self._span(places[n], places[n + 1])
 
     def _beside(self, station: Expr) -> list[tuple[Fraction, Array]]:
         """Return a value before a station and one after it, each with the attitudes there."""
-        places = [self.ends[0], *self.stations, self.ends[1]]
-        n = places.index(station)
-        before, after = (self._span(places[i], places[i + 1]) for i in (n - 1, n))
+        before, after = self._around(station)
         return [(before[0][-1], before[1][-1]), (after[0][0], after[1][0])]
 
     def _span(self, low: Expr, high: Expr) -> Span:
@@ -169,7 +194,9 @@ class OrbitBranches:
             start = np.array([_quaternion(*map(nearest, one.directions)) for one in found])
             places = fractions_between(low, high, near=NEAR)
             down, up = [x for x in places if x < t], [x for x in places if x > t]
-            before, after = (self._followed.along(start, [t, *side]) for side in (down[::-1], up))
+            scale = float(self.scale)
+            before, after = (self._followed.along(start, [scale * float(x) for x in (t, *side)])
+                             for side in (down[::-1], up))
             self._spans[low, high] = [*down, t, *up], np.concatenate([before[::-1], after[1:]]), found
         return self._spans[low, high]
 
