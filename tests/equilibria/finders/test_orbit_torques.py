@@ -5,12 +5,15 @@ from random import Random
 
 import numpy as np
 import pytest
-from attitude_search import search
+from attitude_search import growth, search
+from flint import arb
 from satellites import rotation
 from slow import sampled
 from sympy import pi
 
 import gyrostat as gs
+from gyrostat.algebra.enclosures.precision import own_precision
+from gyrostat.equilibria.finders.orbital_form import balls
 
 TURN = [[F(2, 3), F(-1, 3), F(2, 3)], [F(2, 3), F(2, 3), F(-1, 3)], [F(-1, 3), F(2, 3), F(2, 3)]]
 ONE = [[F(int(i == j)) for j in range(3)] for i in range(3)]
@@ -26,9 +29,9 @@ def along(name, vector):
     return " + ".join(f"({x})*{name}{i}" for i, x in enumerate(vector, 1))
 
 
-def in_turned_axes(vector):
-    """The components of a vector in the axes that TURN gives."""
-    return [sum(x * row[i] for x, row in zip(vector, TURN)) for i in range(3)]
+def in_axes(turn, vector):
+    """The components of a vector given along the rows of a rotation."""
+    return [sum(x * row[i] for x, row in zip(vector, turn)) for i in range(3)]
 
 
 def form(a, matrix, b):
@@ -50,7 +53,8 @@ class Satellite:
         own = locked - float(wheel[1]) * np.outer(*[np.array(wheel[0], float)] * 2) if wheel else locked
         self.matrix = np.zeros((9, 9))
         self.matrix[3:6, 3:6], self.matrix[6:, 6:] = -own, 3 * locked
-        self.vector[3:6] -= np.array(rotor if wheel is None else [wheel[2] * x for x in wheel[0]], float)
+        self.rotor = np.array(rotor if wheel is None else [wheel[2] * x for x in wheel[0]], float)
+        self.own, self.vector[3:6] = own, -self.rotor
         for a, v in (linear or {}).items():
             self.vector["tnr".index(a) * 3:][:3] += np.array(v, float)
         for (a, b), m in (forms or {}).items():
@@ -69,7 +73,10 @@ def places(equilibria):
 
 
 def check(satellite, seed):
-    """Newton's method finds no other, K has the index that is found, and minima − saddles … are 0."""
+    """Newton's method finds no other, K has the index that is found, and minima − saddles … are 0.
+
+    A verdict is UNSTABLE where an eigenvalue of the motion has a positive real part.
+    """
     equilibria = satellite.found()
     here = places(equilibria)
     for attitude, bend in search(satellite.matrix, satellite.vector, seed=seed):
@@ -79,6 +86,8 @@ def check(satellite, seed):
         e = equilibria[apart.argmin()]
         if np.abs(signs).min() > 1e-6:
             assert e.form.index == sum(signs < 0)
+            grows = growth(satellite.own, satellite.rotor, attitude[1], -(bend + bend.T) / 2)
+            assert (e.decision.verdict is gs.Verdict.UNSTABLE) == (grows > 1e-6)
     assert sum((-1) ** e.form.index for e in equilibria) == 0
     assert len({tuple(np.round(p, 7)) for p in here}) == len(here)
     for e in equilibria:
@@ -118,28 +127,41 @@ def test_none_is_missing(kind, full):
         check(some(rng, kind), seed)
 
 
-def test_axes_are_turned_with_the_body():
+@pytest.mark.few(1)
+@pytest.mark.parametrize("seed", range(3))
+@pytest.mark.parametrize("kind", ["drag", "rotor"])
+def test_axes_are_turned_with_the_body(kind, seed):
     """In axes turned by a rational rotation the same attitudes, turned, with the same verdicts and rates."""
-    moments, drag, rotor = [F(1), F(5, 4), F(8, 5)], [F(1, 10), F(1, 7), 0], [F(3, 10), 0, F(1, 10)]
-    tensor = turned(moments, TURN)
-    own = Satellite(turned(moments, ONE), rotor, {"t": drag}).found()
-    other = Satellite(tensor, in_turned_axes(rotor), {"t": in_turned_axes(drag)}).found()
-    back = np.array(TURN, float)
-    place = places(other).reshape(-1, 2, 3) @ back.T
+    moments, drag, rotor = [F(1), F(5, 4), F(8, 5)], [F(1, 10), F(1, 7), 0], [F(3, 10), F(1, 20), F(1, 10)]
+    turn, torques = rotation(Random(seed)), {"t": drag} if kind == "drag" else {}
+    own = Satellite(turned(moments, ONE), rotor, torques).found()
+    other = Satellite(turned(moments, turn), in_axes(turn, rotor),
+                      {a: in_axes(turn, v) for a, v in torques.items()}).found()
     assert len(own) == len(other)
-    for e, here in zip(own, places(own).reshape(-1, 2, 3)):
-        apart = np.abs(place - here).max((1, 2))
-        same = other[apart.argmin()]
-        assert apart.min() < 1e-12
-        assert (e.decision, e.damped) == (same.decision, same.damped)
-        assert e.doubles.frequencies == pytest.approx(same.doubles.frequencies, rel=1e-13)
+    left = [(e, sum(enclosed(e), [])) for e in other]
+    with own_precision(300):
+        columns = [*zip(*([arb(x.numerator) / x.denominator for x in row] for row in turn))]
+        for e in own:
+            here = [sum(a * b for a, b in zip(row, vector)) for vector in enclosed(e) for row in columns]
+            (n,) = (n for n, (_, there) in enumerate(left)
+                    if all((x - y).contains(0) for x, y in zip(here, there)))
+            same, _ = left.pop(n)
+            assert (e.decision, e.damped) == (same.decision, same.damped)
+            assert e.doubles.frequencies == same.doubles.frequencies
+
+
+def enclosed(e):
+    """(n, r) in balls of a few times 10⁻²⁵ at most."""
+    found = [balls(vector, 300) for vector in (e.form.n, e.form.r)]
+    assert max(float(x.rad()) for vector in found for x in vector) < 1e-25
+    return found
 
 
 def test_a_tensor_is_answered_as_its_principal_axes_are():
     """The gravity gradient alone, a rotor in general position: as of the body in principal axes."""
     moments, rotor = [F(1), F(5, 4), F(8, 5)], [F(1, 50), F(3, 100), F(1, 25)]
     own = Satellite(turned(moments, ONE), rotor).found()
-    other = Satellite(turned(moments, TURN), in_turned_axes(rotor)).found()
+    other = Satellite(turned(moments, TURN), in_axes(TURN, rotor)).found()
     place = places(other).reshape(-1, 2, 3) @ np.array(TURN, float).T
     assert len(own) == len(other) == 24
     for e, here in zip(own, places(own).reshape(-1, 2, 3)):
@@ -187,6 +209,23 @@ def test_a_body_of_revolution_with_drag_off_its_axis():
     tensor = turned([F(3, 2), F(3, 2), F(2)], ONE)
     equilibria = check(Satellite(tensor, (0, 0, F(1, 5)), {"t": (F(1, 3), F(1, 4), F(1, 5))}), 0)
     assert not any(e.locus for e in equilibria)
+
+
+@pytest.mark.few(1)
+@pytest.mark.parametrize("c", [F(6, 7), F(-6, 7)])
+def test_rates_where_a_coefficient_of_the_spectrum_vanishes(c):
+    """Of the sextic that of λ²: K_roll = K_yaw, and K_pitch is minus what the other parts give."""
+    t, n, r, A = F(1, 7), F(5, 7), F(9, 7), F(-10, 7)
+    forms = {("r", "r"): turned([0, 0, 2 * A], ONE)}
+    e = next(e for e in Satellite(turned([t, n, r], ONE), linear={"n": (0, c, 0)}, forms=forms).found()
+             if e.doubles.place["n2"] == e.doubles.place["r3"] == 1)
+    K = [4 * (n - r) - c - 2 * A, 3 * (t - r) - 2 * A, n - t - c]
+    assert n * K[0] * K[2] + K[1] * (t * K[2] + r * K[0] + (t + r - n)**2) == 0
+    roots = np.roots([float(x) for x in (n * t * r, K[1] * t * r + n * (t * K[2] + r * K[0] + (t + r - n)**2),
+                                         0, K[0] * K[1] * K[2])])
+    slow = sorted(np.sqrt(-x.real) for x in roots if abs(x.imag) < 1e-12 and x.real < 0)
+    assert e.doubles.frequencies == pytest.approx(slow, rel=1e-12)
+    assert e.doubles.growth_rate == pytest.approx(np.sqrt(roots.astype(complex)).real.max(), rel=1e-12)
 
 
 @pytest.mark.parametrize(("inertia", "rotor", "potential", "what"), [

@@ -3,4 +3,6 @@
 `quartic_forms` writes the function as a form in a quaternion. `bounds` says how many critical points there
 are at most, `boxes` approximates all at once and proves a simple one in each box, `critical_rotations`
 compares the numbers: then they are all. `exact_rotations` has them in number fields, multiple ones too.
+If the form depends on a parameter, `meeting_polynomial` has the values at which some meet, and
+`followed_rotations` goes along it; `modular_fractions` finds fractions modulo primes.
 """

@@ -10,6 +10,7 @@ from ...algebra.rings.readable import readable
 from ...algebra.text.inputs import name_of
 from ...notation import symbol
 from ...printing.blocks import Block, Display, Heading, sentence
+from ...printing.decimals import with_decimals
 from ...printing.formats.json_data import json_text
 from ...printing.formats.si_units import unit_of
 from ...printing.formats.text import text
@@ -42,9 +43,11 @@ def run(given: argparse.Namespace, out: Output) -> int:
     asked = asked_of(given, {*numbers, given.solve_for})
     sink = None if dampings == (None, None) else loaded("questions.answers.energy_sink:sink_of")(
         table_of(asked), dampings, numbers)
+    if given.solve_for and asked.rotors and asked.orbit and _speeds(given, asked, numbers, out):
+        return 0
     labels, others = labels_of(asked, given.equilibrium, numbers)
     some(labels, others)
-    out.noted(scene_note(scene_of(asked), {symbol(name): x for name, x in numbers.items()}))
+    _note(asked, numbers, out)
     if given.solve_for:
         return _solve(given, asked, labels, numbers, out)
     found = condition_list(asked, labels, others, numbers, given.windows, sink)
@@ -61,9 +64,42 @@ def run(given: argparse.Namespace, out: Output) -> int:
         out(loaded("printing.formats.tables:conditions_table")(found.reports, paper, after))
     else:
         blocks = [block for report in found.reports for block in conditions_blocks(report)]
-        symbols = symbol_rows(found.reports[0].equilibrium.system, occurring(blocks))
+        names = occurring(blocks)
+        [symbols] = with_decimals([symbol_rows(found.reports[0].equilibrium.system, names)])
+        if units_given(given):
+            rates = {s.name for rotor in table_of(asked).rotors
+                     for s in getattr(rotor.rate, "free_symbols", ())}
+            blocks = loaded("cli.options.units_shown:in_units")(blocks, rates)
         out(text([*blocks, *after, symbols, *term_blocks([*blocks, *after])], out.width))
     return 0
+
+
+def _speeds(given: argparse.Namespace, asked: Asked, numbers: Mapping[str, Expr], out: Output) -> bool:
+    """Write the speeds of a wheel at which an attitude is stable; False if something else is asked."""
+    name, unit = name_of(given.solve_for) or given.solve_for, "rpm" if units_given(given) else ""
+    found = loaded("questions.answers.wheel_answer:speeds_at")(asked, given.equilibrium, name, numbers, unit)
+    if found is None:
+        return False
+    _note(asked, numbers, out)
+    if given.format == "json":
+        out(json_text(loaded("questions.answers.wheel_answer:speeds_data")(found)))
+    else:
+        _written(given, loaded("questions.answers.wheel_answer:speeds_blocks")(found), name, out)
+    return True
+
+
+def _note(asked: Asked, numbers: Mapping[str, Expr], out: Output) -> None:
+    out.noted(scene_note(scene_of(asked), {symbol(name): x for name, x in numbers.items()}))
+
+
+def _written(given: argparse.Namespace, blocks: Sequence[Block], name: str, out: Output) -> None:
+    """Write blocks about the values of a name as text or in LaTeX."""
+    if given.format != "latex":
+        out(text(blocks, out.width))
+        return
+    title = f"Values of {name} that stabilise".replace("_", r"\_")
+    paper = loaded("cli.options.latex_options:paper_of")(given)
+    out(loaded("printing.formats.article:article")(title, blocks, paper))
 
 
 def _solve(given: argparse.Namespace, asked: Asked, labels: Sequence[str], numbers: Mapping[str, Expr],
@@ -76,9 +112,7 @@ def _solve(given: argparse.Namespace, asked: Asked, labels: Sequence[str], numbe
         return 0
     without = [block for m in missing for block in m.blocks()]
     if given.format == "latex":
-        title = f"Values of {name} that stabilise".replace("_", r"\_")
-        paper = loaded("cli.options.latex_options:paper_of")(given)
-        out(loaded("printing.formats.article:article")(title, [*_sets(found), *without], paper))
+        _written(given, [*_sets(found), *without], name, out)
         return 0
     unit, said = unit_of(name), ""
     scale = [sentence(symbol(name), f" is in {unit}.")] if unit and units_given(given) else []

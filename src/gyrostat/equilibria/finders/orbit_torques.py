@@ -16,6 +16,8 @@ BITS, DIGITS = 128, 9                                  # of the order of the lis
 NOT_RATIONAL = ("all attitudes are found if the moments are rational, and l/omega0 and the torques over "
                 "omega0² are, or are sums of square roots of such numbers and π times these, and if no two "
                 "attitudes meet: give the numbers as decimals")
+NOT_QUADRATIC = ("the potential is of degree above 2 in n, r and t = n × r, and all attitudes are found up "
+                 "to degree 2: give an attitude, steady_motion(scene, n, r)")
 CURVES = ("the attitudes lie on curves, or it is not proved that they do not: a torque vanishes identically, "
           "as about the axis of a body of revolution; give an attitude, steady_motion(scene, n, r)")
 
@@ -38,8 +40,7 @@ def attitude_forms(scene: System) -> list[OrbitalForm]:
     """
     form = _form(scene)
     if form is None:
-        raise ScopeError("the potential is of degree above 2 in n, r and t = n × r, and all attitudes are "
-                         "found up to degree 2: give an attitude, steady_motion(scene, n, r)")
+        raise ScopeError(NOT_QUADRATIC)
     points = critical_rotations(form)
     if points is None:
         raise ScopeError(NOT_RATIONAL if form.parts else CURVES)
