@@ -119,7 +119,7 @@ def _in_principal_axes(scene: System, values: Mapping[str, Any]
     body = at_numbers(scene, {symbol(name): exact_number(values[name], name) for name in own}).body
     level = body.tensor.charpoly().as_expr()
     if proved_sign(discriminant(level)) == 0:
-        raise ScopeError(f"two principal moments of {brief(body.inertia.tolist())} are equal, and l may be "
+        raise ScopeError(f"two principal moments of {brief(body.tensor.tolist())} are equal, and l may be "
                          "turned about their axis; give three different ones")
     moments, R = in_principal_axes(body)
     shown = [[f"{x:.2f}" for x in row] for row in R.round(2) + 0.0]        # no −0.00

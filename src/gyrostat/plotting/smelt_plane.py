@@ -109,9 +109,9 @@ def draw_smelt_plane(rotor: Any = 0, bodies: Mapping[str, Sequence[Any]] | None 
         body = Gyrostat((here.body.tensor + free_moments(here)).tolist(), here.body.gyrostatic_momentum)
         shown_too = of_scene(assemble(body, circular_orbit(orbital_rate(here))), {})[1]
     marks = {name: ratios(moments, name) for name, moments in marked.items()}
-    values = (2 * np.arange(POINTS) + 1) / POINTS - 1          # the middles of cells between −1 and 1
+    middles = (2 * np.arange(POINTS) + 1) / POINTS - 1         # of cells between −1 and 1
     drawn = ratio if isinstance(ratio, Rational) else Rational(repr(float(ratio)))
-    chart = stability_chart(_report(drawn), x=(ROLL.name, values), y=(YAW.name, values), damped=True,
+    chart = stability_chart(_report(drawn), x=(ROLL.name, middles), y=(YAW.name, middles), damped=True,
                             progress=False)
     ax = axes_of(ax)
     draw_chart(chart, ax, **kwargs)
