@@ -192,9 +192,11 @@ def test_a_body_of_revolution_with_drag_off_its_axis():
 @pytest.mark.parametrize(("inertia", "rotor", "potential", "what"), [
     ((1, 2, 3), (0, 0, 0), "n1^3", "degree above 2"),
     ((1, 2, 3), (0, 0, 0), "sqrt(2 + n1)", "no polynomial"),
-    ((1, 2, 3), (0, 0, 0), "sqrt(1 + sqrt(2))*t1", "as decimals"),
-    ((1, 1, 2), (0, 0, 1), "t3/3", "on curves"),
-    ([[2, 0, 0], [0, "3/2", "1/2"], [0, "1/2", "3/2"]], (0, 0, 0), "0", "on curves")])
+    ((1, 2, 3), (0, 0, 0), "sqrt(1 + sqrt(2))*t1 + n2", "as decimals"),
+    ((1, 1, 2), (0, 0, 0), "sqrt(2)*t3 + n3", "as decimals"),
+    ((1, 1, 1), (0, 0, 0), "n1 + r2", r"about .0, 0, 1. and the frame t, n, r about .-1, 0, 0."),
+    ((1, 1, 1), (0, 0, 1), "n3", "in every attitude"),
+    ((2, 1, "3/2"), (0, 2, 0), "t1^2 + t2^2/2 + 3*t3^2/4", "n × ∂V/∂n")])
 def test_what_is_refused(inertia, rotor, potential, what):
     """In at most 300 characters, with what there is instead."""
     scene = gs.assemble(gs.Gyrostat(inertia, rotor), gs.circular_orbit(1, potential=potential))

@@ -61,7 +61,7 @@ class CriticalEquations:
     def _matrices(self) -> tuple[acb_mat, acb_mat]:
         """The coefficients of the torques, and of their derivatives, at the precision that is set."""
         if ctx.prec not in self._found:
-            torques = [_torque(self._form.enclosed(), turn) for turn in TURNS]
+            torques = [derivative_along(self._form.enclosed(), turn) for turn in TURNS]
             bends = [g for f in torques for g in slopes(f)]
             self._found[ctx.prec] = (acb_mat([[acb(f.get(e, 0)) for e in monomials(4)] for f in torques]),
                                      acb_mat([[acb(g.get(e, 0)) for e in monomials(3)] for g in bends]))
@@ -112,7 +112,7 @@ class CriticalEquations:
         return acb_mat(4, 4, [*entries, *(2 * x for x in q)])
 
 
-def _torque(form: Form, turn: Sequence[tuple[int, int]]) -> dict[Exponents, Any]:
+def derivative_along(form: Form, turn: Sequence[tuple[int, int]]) -> dict[Exponents, Any]:
     """Return the derivative of a form along q → q + Σ ± q_j e_i."""
     found: dict[Exponents, Any] = {}
     for slope, (j, sign) in zip(slopes(form), turn):

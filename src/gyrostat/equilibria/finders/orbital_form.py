@@ -1,9 +1,9 @@
 """Says what decides an attitude in which a satellite rests in the frame of its orbit, and in which words."""
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
-from sympy import Expr
+from sympy import Expr, ImmutableMatrix
 
 from ..._cached import cached_property
 from ..._lazy import loaded
@@ -11,16 +11,16 @@ from ...algebra.enclosures.balls import ball
 from ...algebra.enclosures.precision import doubled, own_precision
 from ...algebra.reals.exact import evaluate, proved_sign
 from ...algebra.rings.matrices import adjugate, cross
-from ...algebra.solving.real_fields import balls
+from ...algebra.solving.real_fields import FieldNumbers, balls
 from ...mechanics.families.circular_orbit import by_gradient_alone, orbital_rate, resting_at
 from ...mechanics.scenes.system import System
 from ...notation import symbol
 from ...stability.criteria.amended_form import Rows, dot, trace
-from ...stability.decision import Decision, Rung, settled, undecided
+from ...stability.decision import Decision, Rung, Verdict, settled, undecided
 from ...stability.form import PRECISION, Form, Invariants
 from ...stability.notion import Notion
 from ...stability.report.report import Report
-from ...stability.theorems.two_directions import DEGENERATE, HELD, on_curve
+from ...stability.theorems.two_directions import DEGENERATE, HELD
 
 OPEN = undecided(HELD)
 
@@ -38,6 +38,8 @@ class OrbitalForm(Form):
     locus : str
         "" for a point, else the curve of equilibria to which it belongs, in words; for a body of revolution
         the circle, and the verdict is modulo the turn about its axis
+    as_set : Decision or None
+        what is proved of that set: the energy is least on it, and K positive across it
     """
 
     LEAST = settled(True, "the energy has a minimum: K is positive definite", Rung.SECOND_VARIATION)
@@ -50,6 +52,7 @@ class OrbitalForm(Form):
     n: Sequence[Expr]
     r: Sequence[Expr]
     locus: str = ""
+    as_set: Decision | None = None
 
     @cached_property
     def directions(self) -> tuple[tuple[Expr, ...], ...]:
@@ -84,7 +87,7 @@ class OrbitalForm(Form):
     def invariants(self, precision: int | None) -> Invariants:
         """Return the invariants of K, and the coefficients of the sextic."""
         if not by_gradient_alone(self.scene):
-            return of_motion(*self._motion(precision))
+            return of_motion(*self.motion(precision))
         body, rate = self.scene.body, orbital_rate(self.scene)
         given = *body.tensor.tolist(), body.gyrostatic_momentum, self.n, self.r
         if precision is None:
@@ -93,7 +96,7 @@ class OrbitalForm(Form):
         *tensor, rotor, n, r = (balls(x, precision) for x in given)
         return invariants(tensor, rotor, n, r, ball(rate, precision))
 
-    def _motion(self, precision: int | None) -> tuple[Rows, Rows, Sequence[Any], Sequence[Any]]:
+    def motion(self, precision: int | None) -> tuple[Rows, Rows, Sequence[Any], Sequence[Any]]:
         """Return I, K, g and ω0 n of I θ̈ + g × θ̇ + K θ = 0, in body axes, in any potential."""
         body, rate = self.scene.body, orbital_rate(self.scene)
         given = *body.tensor.tolist(), body.gyrostatic_momentum, self.n, self.r, [rate]
@@ -109,20 +112,33 @@ class OrbitalForm(Form):
         Along such a curve K is degenerate.
         """
         if self.scene.linear_integrals:
-            return Report(self.equilibrium).verdict({})
+            if (found := self._modulo(damped=False)) is None:
+                found = Report(self.equilibrium).verdict({})
+            return found if self.as_set is None or found.verdict is not Verdict.UNDECIDED else self.as_set
         if not self.locus:
             return None
-        found = self.LEAVES if -1 in self.spectral_signs else on_curve(self.equilibrium, {})
-        return undecided(self.locus) if found is None else found
+        if self.as_set is not None:
+            return self.as_set
+        return self.LEAVES if -1 in self.spectral_signs else undecided(self.locus)
 
     def known_damped(self) -> Decision | None:
         """Return the decision of its report under damping if there is an integral.
 
-        If another field acts, and K is degenerate, it is UNDECIDED.
+        If another field acts, or the axes are not principal, and K is degenerate, it is UNDECIDED.
         """
         if self.scene.linear_integrals:
-            return Report(self.equilibrium).verdict({}, damped=True)
-        return undecided(DEGENERATE) if self.index is None and not by_gradient_alone(self.scene) else None
+            found = self._modulo(damped=True)
+            return Report(self.equilibrium).verdict({}, damped=True) if found is None else found
+        if self.as_set is not None:
+            return replace(self.as_set, notion=Notion.SECULAR, growing=0)
+        principal = by_gradient_alone(self.scene) and not isinstance(self.scene.body.inertia, ImmutableMatrix)
+        return undecided(DEGENERATE) if self.index is None and not principal else None
+
+    def _modulo(self, damped: bool) -> Decision | None:
+        """Return what balls decide modulo a turn, at a point in a number field, where a report is slow."""
+        if not isinstance(self.n, FieldNumbers):
+            return None
+        return loaded("equilibria.finders.modulo_turn:decided")(self, damped)
 
     def held(self) -> Decision:
         """Return UNDECIDED: no theorem decides if gyroscopic forces alone stabilise it."""
@@ -144,7 +160,7 @@ class OrbitalForm(Form):
     def _unreached(self, precision: int | None) -> Sequence[Any]:
         """Return what vanishes if damping does not reach every motion."""
         if not by_gradient_alone(self.scene):
-            return left_by_turning(*self._motion(precision))
+            return left_by_turning(*self.motion(precision))
         given = *self.scene.body.tensor.tolist(), self.n, self.r
         if precision is None:
             *rows, n, r = given[:3] + self.directions

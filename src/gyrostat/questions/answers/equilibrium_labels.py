@@ -2,6 +2,7 @@
 from collections.abc import Collection, Sequence
 
 from ...errors import ValuesError
+from ...mechanics.equilibrium.recognition import axis_of_satellite
 from ...mechanics.families.family import Family
 from ...mechanics.families.named_families import (
     EARTH_POINTING,
@@ -64,5 +65,5 @@ def labels_in_words(scene: System) -> str:
 def likely(scene: System) -> Collection[Family]:
     """The families that are tried if none is asked for."""
     if scene.kind is Kind.ORBIT:
-        return (EARTH_POINTING, *(PRECESSIONS if scene.body.is_of_revolution() else ()))
+        return (EARTH_POINTING, *(PRECESSIONS if axis_of_satellite(scene.body) else ()))
     return PRINCIPAL if scene.kind is Kind.FREE else POLES.values()
