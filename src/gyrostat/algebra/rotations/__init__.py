@@ -3,4 +3,5 @@
 `quartic_forms` writes the function as a form in a quaternion. `bounds` says how many critical points there
 are at most, `boxes` approximates all at once and proves a simple one in each box, `critical_rotations`
 compares the numbers: then they are all. `exact_rotations` has them in number fields, multiple ones too.
+`symmetries` are the turns under which the function stays; then it is one of a unit vector, `by_axis`.
 """

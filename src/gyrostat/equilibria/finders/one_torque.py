@@ -5,19 +5,16 @@ from typing import NamedTuple
 
 from sympy import Expr, ImmutableMatrix, Rational, S, eye, sqrt
 
+from ..._lazy import loaded
 from ...algebra.reals.exact import evaluate, proved_sign
 from ...algebra.rings.matrices import cross
 from ...algebra.text.numbers import shown
 from ...errors import ScopeError
-from ...mechanics.equilibrium.recognition import axes_of_tensor, turned_up
 from ...mechanics.families.circular_orbit import by_gradient_alone, orbital_rate
 from ...mechanics.scenes.body import Gyrostat
-from ...mechanics.scenes.principal_axes import principal_axes
 from ...mechanics.scenes.system import System
 from ...stability.decision import Decision
 from ...stability.theorems.two_directions import ON_CURVE
-from .amended_orbit import amended_terms
-from .circles_of_attitudes import on_circle
 from .orbital_form import OrbitalForm
 
 NAMES, WEIGHTS = "tnr", (0, -1, 3)                     # V = ½ ω0² Σ weight a·Ia + v·e
@@ -45,7 +42,7 @@ def one_torque(scene: System) -> Torque | None:
     I, square = scene.body.tensor, orbital_rate(scene) ** 2
     linear = [[S.Zero] * 3 for _ in NAMES]
     pairs = {(a, b): [[S.Zero] * 3 for _ in range(3)] for a, b in ((0, 0), (0, 1), (1, 1))}
-    for exponents, c in amended_terms(scene).items():
+    for exponents, c in loaded("equilibria.finders.amended_orbit:amended_terms")(scene).items():
         places = [i for i, e in enumerate(exponents) for _ in range(e)]
         if len(places) > 2:
             return None
@@ -180,6 +177,7 @@ class InPrincipalAxes:
         i, k = (n for n in range(3) if n != axis)
         beyond = self.moments[i] - self.moments[axis]
         direction = self._in_body(tuple(S(int(n == axis)) for n in range(3)))
+        on_circle = loaded("equilibria.finders.circles_of_attitudes:on_circle")
         for side in SIDES:
             yield on_circle(self._form({axis: side}, {i: S.One}), direction)
             for high, across in _tilts(-v, p * beyond)[:1]:
@@ -210,13 +208,15 @@ def in_principal_axes(scene: System, torque: Torque) -> InPrincipalAxes | None:
             raise ScopeError(f"the three moments are {body.tensor[0, 0]}, and nothing turns the satellite: "
                              "it rests in every attitude; give one, steady_motion(scene, n, r)")
         place = next((n for n in range(3) if sum(map(bool, torque.vector)) == 1 and torque.vector[n]), None)
+        turned_up = loaded("mechanics.equilibrium.recognition:turned_up")
         rows = None if place is not None else turned_up(tuple(v / sqrt(v.dot(v))))
         return InPrincipalAxes(scene, torque, [body.tensor[0, 0]] * 3, rows)
     if not isinstance(body.inertia, ImmutableMatrix):
         return InPrincipalAxes(scene, torque, body.moments, None)
     if any(proved_sign(evaluate(x, {})) for x in v.cross(turned)):
         return None
-    if not acts and not list(axes_of_tensor(body.inertia)):    # three different moments, roots of a cubic
-        return None
-    principal, rows = principal_axes(Gyrostat(body.inertia, (0, 0, 0)))
+    if not acts and not list(loaded("mechanics.equilibrium.recognition:axes_of_tensor")(body.inertia)):
+        return None                                        # three different moments, roots of a cubic
+    turned_body = loaded("mechanics.scenes.principal_axes:principal_axes")
+    principal, rows = turned_body(Gyrostat(body.inertia, (0, 0, 0)))
     return InPrincipalAxes(scene, torque, principal.moments, rows)

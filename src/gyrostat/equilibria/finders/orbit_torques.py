@@ -13,7 +13,7 @@ from ...errors import ScopeError
 from ...mechanics.families.circular_orbit import orbital_rate
 from ...mechanics.scenes.system import System
 from .amended_orbit import Exponents, amended_terms, energy
-from .circles_of_attitudes import circles_of, settled_as_set
+from .circles_of_attitudes import circles_of
 from .orbital_form import OrbitalForm
 
 BITS, DIGITS = 128, 9                                  # of the order of the list
@@ -46,10 +46,9 @@ def attitude_forms(scene: System) -> list[OrbitalForm]:
         raise ScopeError("the potential is of degree above 2 in n, r and t = n × r, and all attitudes are "
                          "found up to degree 2: give an attitude, steady_motion(scene, n, r)")
     if turnings := symmetries(form):
-        if (circles := circles_of(form, turnings)) is None:
+        if (circles := circles_of(scene, form, turnings)) is None:
             raise ScopeError(NOT_RATIONAL)
-        return by_energy(scene, [settled_as_set(OrbitalForm(scene, *found[:3]), found.size)
-                                 for found in circles])
+        return by_energy(scene, circles)
     if (points := critical_rotations(form)) is None:
         raise ScopeError(NOT_RATIONAL if form.parts else CURVES)
     return by_energy(scene, [OrbitalForm(scene, point[:3], point[3:]) for point in points])

@@ -23,6 +23,7 @@ from ...stability.report.report import Report
 from ...stability.theorems.two_directions import DEGENERATE, HELD
 
 OPEN = undecided(HELD)
+MODULO = "equilibria.finders.circles_of_attitudes:decided_modulo_turn"
 
 
 @dataclass(frozen=True)
@@ -112,7 +113,8 @@ class OrbitalForm(Form):
         Along such a curve K is degenerate.
         """
         if self.scene.linear_integrals:
-            if (found := self._modulo(damped=False)) is None:
+            quick = isinstance(self.n, FieldNumbers)       # a report at roots of polynomials is slow
+            if (found := loaded(MODULO)(self) if quick else None) is None:
                 found = Report(self.equilibrium).verdict({})
             return found if self.as_set is None or found.verdict is not Verdict.UNDECIDED else self.as_set
         if not self.locus:
@@ -122,23 +124,20 @@ class OrbitalForm(Form):
         return self.LEAVES if -1 in self.spectral_signs else undecided(self.locus)
 
     def known_damped(self) -> Decision | None:
-        """Return the decision of its report under damping if there is an integral.
+        """Return the decision under damping if there is an integral, or on a set; None if K decides.
 
-        If another field acts, or the axes are not principal, and K is degenerate, it is UNDECIDED.
+        In principal axes and the gravity gradient a report decides what K does not, else it is UNDECIDED: to
+        count growing modes exactly takes minutes there.
         """
+        principal = by_gradient_alone(self.scene) and not isinstance(self.scene.body.inertia, ImmutableMatrix)
         if self.scene.linear_integrals:
-            found = self._modulo(damped=True)
-            return Report(self.equilibrium).verdict({}, damped=True) if found is None else found
+            if principal:
+                return Report(self.equilibrium).verdict({}, damped=True)
+            if (found := loaded(MODULO)(self, damped=True)) is not None:
+                return found
         if self.as_set is not None:
             return replace(self.as_set, notion=Notion.SECULAR, growing=0)
-        principal = by_gradient_alone(self.scene) and not isinstance(self.scene.body.inertia, ImmutableMatrix)
         return undecided(DEGENERATE) if self.index is None and not principal else None
-
-    def _modulo(self, damped: bool) -> Decision | None:
-        """Return what balls decide modulo a turn, at a point in a number field, where a report is slow."""
-        if not isinstance(self.n, FieldNumbers):
-            return None
-        return loaded("equilibria.finders.modulo_turn:decided")(self, damped)
 
     def held(self) -> Decision:
         """Return UNDECIDED: no theorem decides if gyroscopic forces alone stabilise it."""

@@ -134,10 +134,10 @@ def _directions(body: Gyrostat, potential: Potential) -> Iterator[Vector]:
         yield from _of_field(potential) if free else direction_along(body.gyrostatic_momentum)
 
 
-def axis_of_satellite(body: Gyrostat) -> tuple[Vector, Expr, Expr] | None:
-    """Return a vector along the axis of a body of revolution, along which l is, and its two moments.
+def axis_of_satellite(body: Gyrostat) -> tuple[Vector, ImmutableMatrix, Expr, Expr] | None:
+    """Return the axis c of a body of revolution, along which l is, R with R c = e3, and its two moments.
 
-    For a sphere it is that of l. None if it is none, or names decide.
+    For a sphere c is along l. None if it is none, or names decide.
     """
     if isinstance(body.inertia, ImmutableMatrix):
         found = list(axes_of_tensor(body.inertia))
@@ -147,7 +147,7 @@ def axis_of_satellite(body: Gyrostat) -> tuple[Vector, Expr, Expr] | None:
         found = [*direction_along(body.gyrostatic_momentum), *found] if all(equal) else found
     l = ImmutableMatrix(body.gyrostatic_momentum)
     along = next((c for c in found if all(map(vanishes, hat(c) * l))), None)
-    return None if along is None else (along, *_moments_about(body, along))
+    return None if along is None else (unit(along), turned_up(unit(along)), *_moments_about(body, along))
 
 
 def axes_of_tensor(tensor: ImmutableMatrix) -> Iterator[Vector]:

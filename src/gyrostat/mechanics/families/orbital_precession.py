@@ -3,13 +3,13 @@ from collections.abc import Callable, Sequence
 
 from sympy import Add, Expr, ImmutableMatrix, Poly, S, Symbol, sqrt
 
+from ..._lazy import loaded
 from ...algebra.reals.exact import sign_of_constant
 from ...algebra.text.numbers import shown
 from ...arguments import checked
 from ...errors import EquilibriumError, ScopeError
 from ...notation import components, symbol
 from ..equilibrium.equilibrium import Equilibrium
-from ..equilibrium.recognition import axis_of_satellite, turned_up, unit
 from ..scenes.body import Gyrostat
 from ..scenes.kind import Kind
 from ..scenes.potential import DIRECTIONS, Potential
@@ -63,32 +63,31 @@ def orbital_precession(scene: System, kind: str) -> Equilibrium:
     >>> print(gs.analyze(conical).sufficient)
     I₁ > I₃, modulo the flow of π₃
     """
-    found = axis_of_satellite(scene.body) if scene.kind is Kind.ORBIT else None
-    if found is None:
+    axis = loaded("mechanics.equilibrium.recognition:axis_of_satellite")
+    if scene.kind is not Kind.ORBIT or (found := axis(scene.body)) is None:
         raise ScopeError("orbital_precession is for a body of revolution in orbit with the rotor along its "
                          "axis, as moments I1, I1, I3 and rotor 0, 0, l, and this scene is none: use "
                          "assemble(symmetric_gyrostat(), circular_orbit())")
-    axis, I1, I3 = found
+    c, turn, I1, I3 = found
     if kind not in KINDS:
         raise EquilibriumError(f"kind = {kind!r} is no precession: give one of {', '.join(KINDS)}")
     if kind == "cylindrical":
-        point = _turned_to(scene, axis, (S.Zero, S.Zero, S.One), (S.One, S.Zero, S.Zero))
+        point = _turned_to(scene, turn, (S.Zero, S.Zero, S.One), (S.One, S.Zero, S.Zero))
         return Equilibrium(kind, scene, point)
-    c = unit(axis)
     rotor = Add(*(x * y for x, y in zip(c, scene.body.gyrostatic_momentum)))
     slope = (1 if kind == "hyperbolic" else 4) * (I1 - I3) * orbital_rate(scene)
     height, relations = _height(kind, rotor, slope)
     across = sqrt(1 - height**2)
     r = (S.Zero, S.One, S.Zero) if kind == "hyperbolic" else (-height, S.Zero, across)
-    point = _turned_to(scene, axis, (across, S.Zero, height), r)
+    point = _turned_to(scene, turn, (across, S.Zero, height), r)
     return Equilibrium(kind, scene, point, relations, (1 - height**2,),
                        tuple(name.name for name, _ in relations))
 
 
-def _turned_to(scene: System, axis: Sequence[Expr], n: Sequence[Expr], r: Sequence[Expr]) -> tuple[Expr, ...]:
-    """Return the point with n and r given in axes of which the third is that of the body."""
-    turn = turned_up(unit(axis)).T
-    return resting_at(scene, *(turn * ImmutableMatrix(x) for x in (n, r)))
+def _turned_to(scene: System, turn: ImmutableMatrix, n: Sequence[Expr], r: Sequence[Expr]
+               ) -> tuple[Expr, ...]:
+    """Return the point with n and r given in axes x' = R x of which the third is that of the body."""
+    return resting_at(scene, *(turn.T * ImmutableMatrix(x) for x in (n, r)))
 
 
 def _height(kind: str, rotor: Expr, slope: Expr) -> tuple[Expr, tuple[tuple[Symbol, Expr], ...]]:
