@@ -95,9 +95,8 @@ def verbs():
         (gs.static_tilt, {"scene": k.field, "eliminate": None}),
         (gs.staude_cone, {"scene": k.heavy}),
         (gs.steady_motion, {"0": k.vehicle, "1": (0, 0, s("p0")), "2": (0, 0, 1), "omega": (0, 0, 0),
-                            "label": "E"}),
+                            "label": "E"}), (gs.derivation.symplectic_slice, {"eq": k.upright}),
         (gs.stereographic, {}), (gs.symbol, {"name": "x"}), (gs.symmetric_gyrostat, {}),
-        (gs.derivation.symplectic_slice, {"eq": k.upright}),
         (gs.to_latex, {"obj": k.report.sufficient, "symbols": {"I1": "A"}, "label": "gyrostat"}),
         (gs.underwater_vehicle, {"inertia": (1, 2, 3), "mass": (1, 2, 3),
                                  "coupling": [[0, 0, 0], [0, 0, 0], [0, 0, 0]], "weight": (0, 0, 1),
@@ -213,7 +212,8 @@ def methods():
         (k.motion.angles, {"t": [0.0, 1.0]}), (k.motion.drift, {"t": [0.0, 1.0]}),
         (k.motion.to_xarray, {"t": [0.0, 1.0], "pointing": (1, 2, 3)}),
         (known_libration().to_xarray, {"t": [0.0, 1.0], "pointing": (1, 2, 3)}),
-        (gs.table, {"found": gs.relative_equilibria(k.free, {"M": 1})})]
+        (gs.table, {"found": gs.relative_equilibria(k.free, {"M": 1})}),
+        (gs.wheel_speeds, {"scene": k.spinning, "name": "s", "roll": 1, "directions": None, "unit": "rpm"})]
 
 
 def same(x):

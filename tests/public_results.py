@@ -37,6 +37,7 @@ def known():
     free = gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 0)))
     spun = gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, s("l"))))
     satellite = gs.assemble(gs.Gyrostat((1, "5/4", "8/5"), (0, 0, 0)), gs.circular_orbit(1))
+    spinning = gs.assemble(gs.Gyrostat((1, "5/4", "8/5"), (0, s("s"), 0)), gs.circular_orbit(1))
     letters = gs.assemble(gs.Gyrostat(gyrostatic_momentum=(0, s("l"), 0)), gs.circular_orbit())
     round_one = gs.assemble(gs.symmetric_gyrostat(), gs.circular_orbit())
     vehicle = gs.underwater_vehicle(weight=(0, 0, s("m0")))

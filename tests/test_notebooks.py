@@ -37,6 +37,9 @@ CHANGED = [                 # what is put instead of what is written, and words 
      ("moments 2, 3, 5", "= 1/3$", "0.149071")),
     ("what-does-a", {"n = 10_000": "n = 500", '"I3": "0.6"': '"I3": "0.8"', "100, 10_000)": "100)"},
      ("twice 500", "I3 = 0.8", "1, 100 periods")),
+    ("how-do-i-get", {'rate="2000 rpm"': 'rate="1000 rpm"', 'height = "500 km"': 'height = "400 km"',
+                      '"f": "0.05 mN"': '"f": "0.4 mN"'},
+     ("in 6 attitudes; 2 of", "above 130.932 rpm", "turns 7.6 times", "yaw wheel at 101 rpm")),
     ("how-do-we-get", {'rate="540 rpm"': 'rate="450 rpm"', '"100 kg m^2"': '"90 kg m^2"'},
      ("wheel at 450 rpm", "at 183.00 rpm (pitchfork)", "period 28.10 s")),
     ("which-rotations", {'(0, "1/2", 1), 2': '(0, "1/3", 1), 3'}, ("$\\omega = 3$",)),
@@ -128,7 +131,7 @@ class TestNotebook:
 
 
 def test_the_index_has_the_order_that_the_notebooks_say():
-    """Notebook n of 13 is the nth of its list, and of its pages."""
+    """Notebook n of 14 is the nth of its list, and of its pages."""
     page = (Path(__file__).parents[1] / "docs" / "notebooks" / "index.md").read_text(encoding="utf-8")
     said = {int(re.search(r"Notebook (\d+) of (\d+)", path.read_text(encoding="utf-8"))[1]): path.stem
             for path in NOTEBOOKS}

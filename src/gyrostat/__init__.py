@@ -2,11 +2,11 @@
 
 A scene is a body and a field, `assemble`d into a Lie-Poisson system; its equilibria (`upright`, `hanging`,
 `inclined`, …, or all by `relative_equilibria`) are analysed (`analyze`) into conditions and verdicts, and
-those solved for parameters (`stabilizing_set`). Beyond that there are `gyrostat.derivation`, the steps to the
-conditions one by one; `gyrostat.charts`, verdicts over ranges of parameters; `gyrostat.trajectories`,
-motions; `gyrostat.mechanics`, the classical formulas; `gyrostat.plotting`, pictures; `gyrostat.published`,
-printed formulas checked; `gyrostat.questions`, a scene as a table in, an answer as data for JSON out. What
-these need is loaded when they are used.
+those solved for parameters (`stabilizing_set`, `wheel_speeds`). Beyond that there are `gyrostat.derivation`,
+the steps to the conditions one by one; `gyrostat.charts`, verdicts over ranges of parameters;
+`gyrostat.trajectories`, motions; `gyrostat.mechanics`, the classical formulas; `gyrostat.plotting`, pictures;
+`gyrostat.published`, printed formulas checked; `gyrostat.questions`, a scene as a table in, an answer as data
+for JSON out. What these need is loaded when they are used.
 """
 from importlib import import_module
 from typing import TYPE_CHECKING
@@ -58,6 +58,7 @@ if TYPE_CHECKING:
     from .parameters.solve import solve_condition
     from .parameters.spectra import Spectrum, spectrum
     from .parameters.stabilizing_set import stabilizing_set
+    from .parameters.wheel_speeds import wheel_speeds
     from .printing.formats.article import to_latex
     from .stability.criteria.conditions import Condition, Criterion
     from .stability.decision import Decision, Rung, Verdict
@@ -86,7 +87,7 @@ __all__ = [
     "Rung", "Solution", "solve_condition", "SolvedCondition", "Spectrum", "spectrum", "stabilizing_set",
     "static_tilt", "staude_cone", "StaudeCone", "steady_motion", "stereographic", "symbol",
     "symmetric_gyrostat", "System", "table", "to_latex", "trajectories", "underwater_vehicle",
-    "uniform_field", "upright", "Verdict", "Window",
+    "uniform_field", "upright", "Verdict", "wheel_speeds", "Window",
 ]
 
 __getattr__, __dir__ = _later(__name__, {
@@ -136,6 +137,7 @@ __getattr__, __dir__ = _later(__name__, {
     "parameters.solve": "solve_condition",
     "parameters.spectra": "Spectrum spectrum",
     "parameters.stabilizing_set": "stabilizing_set",
+    "parameters.wheel_speeds": "wheel_speeds",
     "printing.formats.article": "to_latex",
     "notation": "NOTATION symbol",
 })

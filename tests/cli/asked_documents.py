@@ -58,6 +58,7 @@ QUESTIONS = {
         "--potential 'k1*k2 + k3' --inertia 1,2,3 --point 0,0,3*w,0,0,1 --solve-for w --set l=1/2",
         "--potential none --solve-for l",
         "--orbit omega0 --solve-for l --set I1=1 I2=7/10 I3=4/5 omega0=1",
+        "--orbit 1 --inertia 3,4,2 --wheel 'axis=0,1,0 inertia=1 speed=s' --solve-for s",
     )],
     "decide": [f"decide {options}" for options in (
         "--potential 'k3**4 - k3**2/2' --set I1=2 I3=1 l=0 omega=1/2",

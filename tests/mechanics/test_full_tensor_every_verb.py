@@ -50,6 +50,8 @@ ANSWERED = {
     "upright": lambda: gs.upright(HEAVY, spin="omega3_0"), "hanging": lambda: gs.hanging(HEAVY),
     "earth_pointing": lambda: gs.analyze(gs.earth_pointing(gs.assemble(
         gs.Gyrostat(TENSOR, (-1, 3, 0)), gs.circular_orbit(1)))).verdict({}),
+    "wheel_speeds": lambda: gs.wheel_speeds(gs.assemble(
+        gs.Gyrostat(TENSOR, (0, gs.symbol("s"), 0)), gs.circular_orbit(1)), "s").damped,
     "steady_motion": lambda: gs.steady_motion(gs.assemble(
         gs.Gyrostat(TENSOR, (-1, 3, 0)), gs.circular_orbit(1)), (0, 1, 0), (0, 0, 1)),
     "principal_rotation": lambda: gs.principal_rotation(FREE, 3),

@@ -34,7 +34,7 @@ REFUSED = {
     "draw_staude_cone": gs.plotting.draw_staude_cone,
     "draw_staude_plane": gs.plotting.draw_staude_plane}
 ANSWERED = {"equilibrium", "assemble", "earth_pointing", "relative_equilibria", "orbital_precession",
-            "steady_motion", "release", "draw_attitudes"}
+            "steady_motion", "release", "draw_attitudes", "wheel_speeds"}
 
 
 @pytest.mark.parametrize("scene", SCENES)

@@ -77,6 +77,25 @@ def test_numbers_of_body_and_field():
     assert free == [] and numbers == ["$l_2 = 1$", "$I_1 = 1$", "$I_2 = 2$", "$I_3 = 3$"]
 
 
+def test_in_orbit_the_other_energy_is_written_as_it_was_given():
+    """Without that of the gravity gradient, whose numbers have many digits; ω0 stands beside the moments."""
+    body = gs.Gyrostat((3, 4, 2), (0, 0, 0))
+    drag = gs.circular_orbit(height="500 km", potential="f*(x*t1 + y*t2)")
+    above, shown = headings.of_scene(gs.assemble(body, drag), {"f": "3 mN"})
+    assert above[0] == "in orbit" and above[1].replace(r"\left", "").replace(r"\right", "") == (
+        "$U = f (t_{1} x + t_{2} y)$")
+    assert r"$\omega_0 = 0.001107$" in shown and "$f = 3/1000$" in shown
+    assert headings.of_scene(gs.assemble(body, gs.circular_orbit(1)), {})[0] == ["in orbit"]
+
+
+def test_a_long_formula_in_parentheses_is_drawn():
+    """Its lines have no parentheses that Matplotlib does not know."""
+    long = headings.field(r"\left(" + " + ".join(f"a_{{{n}}} k_3^{{{n}}}" for n in range(30)) + r"\right)")
+    figure = Figure()
+    figure.text(0, 0, headings.lines(long, ["$l = 0$"]))
+    drawn(figure)
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("seed", [0, 3, *slow(*((n,) for n in (1, 2, 4, 5, 6, 7)))])
 def test_names_of_axes_do_not_lie_over_the_outline(seed):

@@ -11,11 +11,12 @@ from sympy import Expr, Mul, Symbol, oo
 
 from ..algebra.enclosures.balls import ball
 from ..algebra.reals.exact import Point, evaluate, is_identically_zero, proved_sign, sign_of_constant
+from ..algebra.reals.number_matrices import square_roots
 from ..algebra.rings.polynomials import Ring
 from ..algebra.solving.roots import between, inside, real_roots
 from ..errors import ScopeError
 from ..mechanics.families.orbital_precession import moving_axis
-from ..stability.decision import Decision, Verdict
+from ..stability.decision import Decision, Verdict, undecided
 from ..stability.normal_forms.d4_along_family import cuts_in_windows, motion_in_field
 from ..stability.report.report import Report
 from .sets import EXCLUDED, INCLUDED, Interval
@@ -25,10 +26,14 @@ Cell = tuple[Expr, Expr, bool | None]
 
 
 def cut(report: Report, x: Symbol, numbers: Point, low: Expr | None, high: Expr | None,
-        also: Sequence[Expr] = ()) -> list[Cell]:
-    """Return the cells between and at the roots of everything whose sign matters."""
-    conditions = [c for criterion in (report.necessary, report.sufficient) for a in criterion.alternatives
-                  for c in a]
+        also: Sequence[Expr] = (), damped: bool = False) -> list[Cell]:
+    """Return the cells between and at the roots of everything whose sign matters, with damping or without.
+
+    At an end at which the second variation is degenerate, what damping does is left undecided if numbers with
+    more than a square root are in it, since the modes that grow take minutes to count.
+    """
+    criteria = (report.necessary, report.sufficient, *((report.damped,) if damped else ()))
+    conditions = [c for criterion in criteria for a in criterion.alternatives for c in a]
     margins, determinant = [e for c in conditions for e in (c.margin, *c.degenerate)], report.determinant[0]
     if report.closed:                                      # what the names stand for
         margins, determinant = report.closed.margins, report.closed.determinant
@@ -43,10 +48,17 @@ def cut(report: Report, x: Symbol, numbers: Point, low: Expr | None, high: Expr 
     polynomials = [f for e in placed if x in e.free_symbols for f in _numerators(e, x)]
     ends = real_roots(Mul(*polynomials), x, low, high) or []
     bounds: list[Expr] = [-oo if low is None else low, *ends, oo if high is None else high]
-    return list(_cells(report, x, numbers, bounds, cache(partial(_in_window, report, x, numbers, low, high))))
+    def decided(value: Expr) -> Decision | None:
+        at = Point({**numbers, x: value})
+        roots = square_roots(at.values()) if damped else set()
+        if (roots is None or len(roots) > 1) and sign_of_constant(evaluate(determinant, at)) == 0:
+            return undecided("the second variation is degenerate")
+        return _decision(report, x, numbers, value, damped)
+
+    return list(_cells(decided, bounds, cache(partial(_in_window, report, x, numbers, low, high))))
 
 
-def _cells(report: Report, x: Symbol, numbers: Point, bounds: Sequence[Expr],
+def _cells(decided: Callable[[Expr], Decision | None], bounds: Sequence[Expr],
            windows: Callable[[], list[Expr] | None] | None = None) -> Iterator[Cell]:
     """Yield the cells between bounds, one for each, and at the bounds; windows are cut further.
 
@@ -54,14 +66,14 @@ def _cells(report: Report, x: Symbol, numbers: Point, bounds: Sequence[Expr],
     """
     for n, (a, b) in enumerate(pairwise(bounds)):
         if n:
-            yield a, a, stable_at(report, x, a, numbers)
-        decision = _decision(report, x, between(a, b), numbers)
+            yield a, a, _stable(decided(a))
+        decision = decided(between(a, b))
         if windows is None or decision is None or not decision.pointwise:
             yield a, b, _stable(decision)
         elif (cuts := windows()) is None:
             yield a, b, None
         else:
-            yield from _cells(report, x, numbers, [a, *inside(cuts, a, b), b])
+            yield from _cells(decided, [a, *inside(cuts, a, b), b])
 
 
 def _in_window(report: Report, x: Symbol, numbers: Point, low: Expr | None,
@@ -88,9 +100,9 @@ def _numerators(expression: Expr, x: Symbol) -> list[Expr]:
     return [part for part in parts if x in part.free_symbols]
 
 
-def stable_at(report: Report, x: Symbol, value: Expr, numbers: Point) -> bool | None:
+def stable_at(report: Report, x: Symbol, value: Expr, numbers: Point, damped: bool = False) -> bool | None:
     """Tell whether the equilibrium exists at a value and is stable there; None if neither is proved."""
-    return _stable(_decision(report, x, value, numbers))
+    return _stable(_decision(report, x, numbers, value, damped))
 
 
 def _stable(decision: Decision | None) -> bool | None:
@@ -100,13 +112,14 @@ def _stable(decision: Decision | None) -> bool | None:
     return None if decision.verdict is Verdict.UNDECIDED else decision.verdict is Verdict.STABLE
 
 
-def _decision(report: Report, x: Symbol, value: Expr, numbers: Point) -> Decision | None:
+def _decision(report: Report, x: Symbol, numbers: Point, value: Expr,
+              damped: bool = False) -> Decision | None:
     """Return the decision at a value; None if the equilibrium does not exist there."""
     at = Point({**numbers, x: value})
     values = [evaluate(e, at) for e in report.equilibrium.existence()]
     if any(not ball(value, 64).is_finite() or proved_sign(value) != 1 for value in values):
         return None
-    decision = report.verdict({s.name: number for s, number in at.items()})
+    decision = report.verdict({s.name: number for s, number in at.items()}, damped)
     if any(sign_of_constant(margin) is None for _, margin in decision.margins):
         raise ScopeError(f"at {x} = {value} nothing is proved: {decision.reason}")
     return decision

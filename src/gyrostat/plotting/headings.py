@@ -6,7 +6,7 @@ from sympy import Float
 
 from ..algebra.text.numbers import exact_number
 from ..errors import optional
-from ..mechanics.families.circular_orbit import by_gradient_alone, orbital_rate
+from ..mechanics.families.circular_orbit import CircularOrbit, orbital_rate
 from ..mechanics.scenes.potential import Potential
 from ..mechanics.scenes.system import System
 from ..notation import order, symbol
@@ -67,15 +67,14 @@ def of_scene(scene: System, values: Mapping[str, Any]) -> tuple[list[str], list[
     if potential is not None and body.entries[0] == body.entries[1]:
         del entries[names[1]]
     across, along = body.gyrostatic_momentum[:2], body.gyrostatic_momentum[2]
-    orbit = by_gradient_alone(scene)
-    entries |= {"omega0": orbital_rate(scene)} if orbit else {}
+    entries |= {"omega0": orbital_rate(scene)} if isinstance(potential, CircularOrbit) else {}
     entries |= {"l": along} if not any(across) and along != symbol("l3") else dict(
         zip(("l1", "l2", "l3"), body.gyrostatic_momentum))
     known = {name: entry for name, entry in entries.items() if not entry.free_symbols and entry != 0}
     made = [f"${typeset(name)} = {tex(entry, Names())}$" for name, entry in entries.items()
             if entry.free_symbols and entry != symbol(name)]
     given = {name: exact_number(x, name) for name, x in values.items()}
-    return ["in orbit"] if orbit else _of_field(potential), [*made, *numbers(known | given)]
+    return _of_field(potential), [*made, *numbers(known | given)]
 
 
 def of_sphere(scene: System, values: Mapping[str, Any], momentum: Any) -> tuple[list[str], list[str]]:
@@ -87,6 +86,8 @@ def of_sphere(scene: System, values: Mapping[str, Any], momentum: Any) -> tuple[
 def _of_field(potential: Potential | None) -> list[str]:
     if potential is None:
         return []
+    if isinstance(potential, CircularOrbit):
+        return ["in orbit", *(field(tex(potential.beside, Names())) if potential.beside else ())]
     if potential.given:
         return field(tex(potential.expression, Names()), typeset(letters_in([potential.expression]).of("U")))
     return ["$U(k_3)$" if potential.axial else "$U(k)$"]
@@ -125,10 +126,14 @@ def lines(above: Sequence[str], shown: Sequence[str], most: float = ROOM) -> str
 
 
 def _broken(item: str, most: float) -> list[str]:
-    """Break a formula before plus and minus signs into parts that fit a line; a long one is cut."""
+    """Break a formula before plus and minus signs into parts that fit a line; a long one is cut.
+
+    Matplotlib knows no parentheses of a fixed size.
+    """
     if not item.startswith("$") or width(item[1:-1]) <= most:
         return [item]
-    parts = [f"${part.strip()}$" for part in broken(item[1:-1], most)]
+    formula = item[1:-1].replace(r"\left(", "(").replace(r"\right)", ")")
+    parts = [f"${part.strip()}$" for part in broken(formula, most)]
     return parts if len(parts) <= LINES else [*parts[:LINES], r"$+\;\ldots$"]
 
 

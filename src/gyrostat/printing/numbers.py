@@ -117,6 +117,20 @@ def _root_of(value: Expr) -> tuple[Any, ...]:
     return Word(" (root of ", r" \; (\text{root of } "), polynomial, Word(")", ")")
 
 
+def rounded(value: Expr, rounding: str, digits: int = ALONE) -> Word:
+    """Write a number with so many digits at most, rounded up, down or to the nearest.
+
+    Examples
+    --------
+    >>> from decimal import ROUND_CEILING, ROUND_FLOOR
+    >>> from sympy import sqrt
+    >>> [rounded(-sqrt(2), rounding).text for rounding in (ROUND_FLOOR, ROUND_CEILING)]
+    ['−1.41422', '−1.41421']
+    """
+    decimal = _KNOWN.plus(long_decimal(value)).normalize()
+    return with_digits(decimal, min(digits, len(decimal.as_tuple().digits)), rounding)
+
+
 def long_decimal(value: Expr) -> Decimal:
     """Return a number to 30 digits, or to those of a Float."""
     if value.is_Float:

@@ -16,6 +16,7 @@ from .answers.condition_list import condition_list
 from .answers.equilibria import labels_of, some
 from .answers.report_list import report_list
 from .answers.solve_for import solutions_data, solved
+from .answers.wheel_answer import speeds_at, speeds_data
 from .given_numbers import numbers_of
 from .scene_texts import Asked, asked_value, entries_of
 
@@ -80,10 +81,13 @@ def conditions(scene: Scene, *, solve_for: str | None = None, windows: bool = Fa
     [('-oo', '-2'), ('2', 'oo')]
     """
     asked, label, numbers = _question(scene, solve_for or "")
+    name = solve_for and (name_of(solve_for) or solve_for)
+    if name and (speeds := speeds_at(asked, label and [label], name, numbers)):
+        return document(speeds_data(speeds))
     labels, others = labels_of(asked, label and [label], numbers)
     some(labels, others)
-    if solve_for is not None:
-        return document(solutions_data(*solved(asked, labels, name_of(solve_for) or solve_for, numbers)))
+    if name is not None:
+        return document(solutions_data(*solved(asked, labels, name, numbers)))
     return document(condition_list(asked, labels, others, numbers, windows).data())
 
 

@@ -12,6 +12,7 @@ from gyrostat.published.checks.findings import outcome_of
 
 POINTING = 'orbit = "omega0"\nequilibrium = "earth-pointing"\n'
 COUNTED = 'inertia = ["1", "5/4", "8/5"]\ngyrostatic_momentum = ["0", "l", "0"]\norbit = "1"\n'
+DRAG = POINTING + 'potential = "a*t1"\n'
 FIELDS = 'directions = ["k", "e"]\npotential = "-a*k1 - b*e2"\n'
 RESTING = FIELDS + 'point = ["0", "0", "0", "1", "0", "0", "0", "1", "0"]\n'
 VEHICLE = 'vehicle = { mass = ["mass1", "mass2", "mass3"], weight = ["0", "0", "m0"] }\n'
@@ -27,6 +28,8 @@ SAID = [
      "3*mu/R**3*(I1 - I3)", "identity", "confirmed"),
     (POINTING + 'rotors = [{ axis = [3, 0, 0], axial = "J", momentum = "0" }]\nlumped = true\n',
      "entry(stiffness, 2, 2)", "3*omega0**2*(I1 - I3 - J)", "identity", "misprint"),
+    (DRAG, "sufficient for stability", "I2 > I3 and omega0**2*(I2 - I1) > a and I1 > I3", "condition",
+     "misprint"),
     ('orbit = "omega0"\n', "dt(vector_r)", "cross(vector_r, vector_omega)", "identity", "misprint"),
     (FIELDS, "dt(h)", "0", "identity", "confirmed"),
     (RESTING, "sufficient for stability", "a > 0 and b > 0 and a + b > 0", "condition", "confirmed"),
@@ -50,6 +53,14 @@ def test_a_count_is_searched_for(tmp_path, printed, expected):
     assert status(tmp_path, COUNTED, "equilibria", printed, "count", at='{ l = "1/20" }') == expected
 
 
+@pytest.mark.parametrize(("printed", "expected"), [("12", "misprint"), ("16", "confirmed")])
+def test_a_count_under_other_torques_is_searched_for(tmp_path, printed, expected):
+    """Under drag, with a magnet and beside an asteroid: the search and the list end at the same number."""
+    torques = COUNTED + 'potential = "a*t1 - B*n2 + c*r1*r2"\n'
+    assert status(tmp_path, torques, "equilibria", printed, "count",
+                  at='{ l = "1/10", a = "1/20", B = "1/4", c = "1/8" }') == expected
+
+
 def test_a_curve_of_equilibria_has_no_count():
     """At l² = 4 ω0² (I1 − I2) (I3 − I2) the printed count fails: the equilibria are not isolated."""
     outcome = outcome_of(BY_KEY["satellites", "one-axis-degenerate"])
@@ -69,7 +80,11 @@ def test_a_curve_of_equilibria_has_no_count():
     ("conical-unstable", {"printed": "stable"}), ("rising-with-spin", {"let": {"I": "I1"}}),
     ("rising-upside-down", {"printed": "m0 > p0**2*(1/mass3 - 1/mass1)"}),
     ("level-stable", {"printed": "m0 > 0 and mass2 > mass1 and m0 > p0**2*(1/mass2 + 1/mass3)"}),
-    ("Likins-Roberson-indices", {"printed": ["4", "8", "4", "8"]})])
+    ("Likins-Roberson-indices", {"printed": ["4", "8", "4", "8"]}), ("drag-16", {"printed": ["16", "2"]}),
+    ("drag-pitch-stable", {"printed": "I3 > I1 and I2 > I1"}),
+    ("magnet-gyroscopic", {"printed": ["0", "omega0*(I1 + I3 - I2) - B/omega0", "0"]}),
+    ("asteroid-intermediate-stable", {"printed": "I2 > I1 > I3"}),
+    ("asteroid-other-domain", {"printed": "unstable"})])
 def test_a_changed_statement_is_a_misprint(key, change):
     """With a counterexample, or a point that it leaves out."""
     outcome = outcome_of(replace(BY_KEY["satellites", key], **change))

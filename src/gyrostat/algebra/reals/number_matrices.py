@@ -1,14 +1,16 @@
 """Matrices of exact numbers: rank, kernel and negative squares (index of inertia), each zero proved.
 
-Matrices of rationals are FLINT's, all others SymPy's, with exact signs.
+Matrices of rationals are FLINT's, all others SymPy's, with exact signs. Those with one square root are
+multiplied and reduced in its field.
 """
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from functools import reduce
 from operator import mul
 from typing import TypeAlias
 
 from flint import fmpq_mat
-from sympy import Expr, Matrix, Rational
+from sympy import QQ, Add, Expr, Matrix, Mul, Pow, Rational, S, preorder_traversal
+from sympy.polys.matrices import DomainMatrix
 
 from ..enclosures.rationals import to_flint
 from ..rings.matrices import characteristic
@@ -58,6 +60,8 @@ def kernel(matrix: Numbers) -> Numbers:
     [ 0]
     """
     if not isinstance(matrix, fmpq_mat):
+        if (field := _in_field(matrix)) is not None:
+            return field[0].nullspace().to_Matrix().T
         found = matrix.nullspace(simplify=exact, iszerofunc=_is_zero)
         return Matrix.hstack(Matrix(matrix.cols, 0, []), *found).applyfunc(exact)
     reduced, size = matrix.rref()
@@ -73,8 +77,19 @@ def kernel(matrix: Numbers) -> Numbers:
 
 def product(*factors: Numbers) -> Numbers:
     """Return the product of matrices, all of them FLINT's or all SymPy's."""
+    if not isinstance(factors[0], fmpq_mat) and (field := _in_field(*factors)) is not None:
+        return reduce(mul, field).to_Matrix()
     found = reduce(mul, factors)
     return found if isinstance(found, fmpq_mat) else found.applyfunc(exact)
+
+
+def _in_field(*matrices: Matrix) -> list[DomainMatrix] | None:
+    """Return matrices over the field of the one square root in them; None if more than that is in them."""
+    roots = square_roots(x for m in matrices for x in m)
+    if roots is None or len(roots) != 1:
+        return None
+    field = QQ.algebraic_field(*roots)
+    return [DomainMatrix.from_Matrix(m, extension=True).convert_to(field) for m in matrices]
 
 
 def stacked(blocks: Sequence[Numbers]) -> Numbers:
@@ -102,6 +117,23 @@ def negative_squares(form: Numbers) -> int:
     if isinstance(form, fmpq_mat):
         return sign_changes((c > 0) - (c < 0) for c in reversed((-form).charpoly().coeffs()))
     return sign_changes(map(_sign, characteristic(form.tolist()))) if form.rows else 0
+
+
+def square_roots(numbers: Iterable[Expr]) -> set[Expr] | None:
+    """Return the square roots of rationals that numbers are written with; None if more is in them.
+
+    Examples
+    --------
+    >>> from sympy import S, pi, sqrt
+    >>> square_roots([1 + sqrt(2) / 3, S(5)]), square_roots([pi])
+    ({sqrt(2)}, None)
+    """
+    parts = {part for x in numbers for part in preorder_traversal(x)}
+    roots = {part for part in parts if isinstance(part, Pow) and not part.exp.is_Integer}
+    if (not all(isinstance(part, Add | Mul | Pow | Rational) for part in parts)
+            or not all(root.exp == S.Half and root.base.is_Rational for root in roots)):
+        return None
+    return roots
 
 
 def _is_zero(x: Expr) -> bool:

@@ -101,8 +101,9 @@ def a_scene(verb: argparse.ArgumentParser, meaning: str,
                       help="a circular orbit: 'height=500 km' above the equator of the Earth, 'height=100 km "
                       "body=moon' (or mars), 'period=95 min', 'mu=398600.4418 km^3/s^2 radius=6878 km', or "
                       "its rate, a name or a number, omega0 or '0.0011 rad/s'; U is then the potential of "
-                      "the gravity gradient, and --potential is what acts besides it, in n1, n2, n3, the "
-                      "normal, and r1, r2, r3, the vertical")
+                      "the gravity gradient, and --potential is what acts beside it, in n1, n2, n3, the "
+                      "normal, r1, r2, r3, the vertical, and t1, t2, t3, along the velocity: 'f*t1' of a "
+                      "drag f whose centre of pressure is at 1 on axis 1")
     scene_file(verb)
     numbers(verb, meaning)
 

@@ -42,9 +42,11 @@ def run(given: argparse.Namespace, out: Output) -> int:
     asked = asked_of(given, {*numbers, given.solve_for})
     sink = None if dampings == (None, None) else loaded("questions.answers.energy_sink:sink_of")(
         table_of(asked), dampings, numbers)
+    out.noted(scene_note(scene_of(asked), {symbol(name): x for name, x in numbers.items()}))
+    if given.solve_for and asked.rotors and asked.orbit and _speeds(given, asked, numbers, out):
+        return 0
     labels, others = labels_of(asked, given.equilibrium, numbers)
     some(labels, others)
-    out.noted(scene_note(scene_of(asked), {symbol(name): x for name, x in numbers.items()}))
     if given.solve_for:
         return _solve(given, asked, labels, numbers, out)
     found = condition_list(asked, labels, others, numbers, given.windows, sink)
@@ -66,6 +68,29 @@ def run(given: argparse.Namespace, out: Output) -> int:
     return 0
 
 
+def _speeds(given: argparse.Namespace, asked: Asked, numbers: Mapping[str, Expr], out: Output) -> bool:
+    """Write the speeds of a wheel at which an attitude is stable; False if something else is asked."""
+    name, unit = name_of(given.solve_for) or given.solve_for, "rpm" if units_given(given) else ""
+    found = loaded("questions.answers.wheel_answer:speeds_at")(asked, given.equilibrium, name, numbers, unit)
+    if found is None:
+        return False
+    if given.format == "json":
+        out(json_text(loaded("questions.answers.wheel_answer:speeds_data")(found)))
+    else:
+        _written(given, loaded("questions.answers.wheel_answer:speeds_blocks")(found), name, out)
+    return True
+
+
+def _written(given: argparse.Namespace, blocks: Sequence[Block], name: str, out: Output) -> None:
+    """Write blocks about the values of a name as text or in LaTeX."""
+    if given.format != "latex":
+        out(text(blocks, out.width))
+        return
+    title = f"Values of {name} that stabilise".replace("_", r"\_")
+    paper = loaded("cli.options.latex_options:paper_of")(given)
+    out(loaded("printing.formats.article:article")(title, blocks, paper))
+
+
 def _solve(given: argparse.Namespace, asked: Asked, labels: Sequence[str], numbers: Mapping[str, Expr],
            out: Output) -> int:
     """Write the sets of --solve-for; 0."""
@@ -76,9 +101,7 @@ def _solve(given: argparse.Namespace, asked: Asked, labels: Sequence[str], numbe
         return 0
     without = [block for m in missing for block in m.blocks()]
     if given.format == "latex":
-        title = f"Values of {name} that stabilise".replace("_", r"\_")
-        paper = loaded("cli.options.latex_options:paper_of")(given)
-        out(loaded("printing.formats.article:article")(title, [*_sets(found), *without], paper))
+        _written(given, [*_sets(found), *without], name, out)
         return 0
     unit, said = unit_of(name), ""
     scale = [sentence(symbol(name), f" is in {unit}.")] if unit and units_given(given) else []

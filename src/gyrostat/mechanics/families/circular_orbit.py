@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from numbers import Integral
 from typing import Any, ClassVar
 
-from sympy import Add, Expr, ImmutableMatrix, Rational
+from sympy import Add, Expr, ImmutableMatrix, Rational, S
 
 from ...algebra.reals.exact import is_identically_zero
 from ...algebra.rings.matrices import cross
@@ -29,10 +29,12 @@ VELOCITY = dict(zip(components("t"), cross(components(NORMAL), components(VERTIC
 class CircularOrbit(CoupledPotential):
     """The field of a satellite in a circular orbit.
 
-    `alone` says that U is that of the gravity gradient of the body alone.
+    `alone` says that U is that of the gravity gradient of the body alone, and `beside` is the other energy
+    as it was given, in n, r and t.
     """
 
     alone: bool = True
+    beside: Expr = S.Zero
     kind: ClassVar[Kind] = Kind.ORBIT
 
 
@@ -103,26 +105,27 @@ def circular_orbit(rate: Any = None, *, period: Any = None, height: Any = None, 
                     for i in (1, 2, 3) for j in (1, 2, 3)))
     U = Rational(3, 2) * omega0**2 * gravity - omega0 * Add(*(a * b for a, b in zip(n, l)))
     first, second, third = (-omega0 * x for x in n)
-    other = _beside(potential)
+    given, other = _beside(potential)
     for rotor in rotors:
         if rotor.momentum is not None:
             along = Add(*(x * y for x, y in zip(rotor.axis, r)))
             other += Rational(3, 2) * omega0**2 * rotor.axial * along**2
     return CircularOrbit((*n, *r), U + other, False, (first, second, third),
-                         unit_and_orthogonal((NORMAL, VERTICAL)), other == 0)
+                         unit_and_orthogonal((NORMAL, VERTICAL)), other == 0, given)
 
 
-def _beside(potential: Any) -> Expr:
-    """Return another energy in the directions of the orbit."""
-    if not callable(potential):
-        potential = exact_expression(potential, "U").xreplace(VELOCITY)
+def _beside(potential: Any) -> tuple[Expr, Expr]:
+    """Return another energy in the directions of the orbit, as it is given and in n and r alone."""
+    given = None if callable(potential) else exact_expression(potential, "U")
+    potential = potential if given is None else given.xreplace(VELOCITY)
     fixed = sorted(str(k) for k in getattr(potential, "free_symbols", set()) & set(DIRECTIONS))
     if fixed:
         raise PotentialError(f"U = {potential} has {', '.join(fixed)}, a direction fixed in space, and "
                              "in an orbit the directions turn: leave U out, the gravity gradient acts there "
                              "anyway, or write what acts beside it in n1, n2, n3, the normal, and r1, r2, "
                              "r3, the vertical")
-    return coupled_potential(potential, (NORMAL, VERTICAL)).expression
+    other = coupled_potential(potential, (NORMAL, VERTICAL)).expression
+    return other if given is None else given, other
 
 
 def by_gradient_alone(scene: System) -> bool:

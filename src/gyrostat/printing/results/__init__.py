@@ -3,5 +3,6 @@
 `document` is a whole report: its `scene`, the point, both matrices and the `inequalities`; `boundary`,
 `drift` and `normal_form` say what decides between the criteria, `rotations` which names a family in any
 direction has, `two_directions` what is special of two. `decision` is a verdict at numbers. `beyond_reports`
-has every other result, with `critical_points` for rotations and satellites and `staude` for Staude's cone.
+has every other result, with `critical_points` for rotations and satellites, `wheel_speeds` for attitudes in
+orbit and `staude` for Staude's cone.
 """

@@ -20,6 +20,7 @@ from ...equilibria.relative_equilibrium import RelativeEquilibrium
 from ...mechanics.equilibrium.reduction import Reduction
 from ...notation import symbol
 from ...parameters.sets import EXCLUDED, INCLUDED, Interval, Ladder, Solution, SolvedCondition
+from ...parameters.wheel_speeds import WheelSpeeds
 from ...registry import Letters
 from ...stability.criteria.linearization import rational_root
 from ...stability.normal_forms.d4_along_family import Window
@@ -39,6 +40,7 @@ from .drift import drift_displays
 from .inequalities import existence
 from .normal_form import form_blocks, window_blocks
 from .staude import arc_blocks, cone_blocks
+from .wheel_speeds import speeds_blocks
 
 # operations under a root, more of which are given a name
 LONG = 8
@@ -208,7 +210,7 @@ def _reduction(motion: Reduction) -> list[Block]:
 _OF_TYPE: dict[type, Callable[[Any], list[Block]]] = {
     RelativeEquilibrium: relative_equilibrium, AmendedPotential: amended_potential,
     CriticalPoint: critical_point, NormalForm: form_blocks, StaudeCone: cone_blocks, Arc: arc_blocks,
-    Drift: drift_displays, Window: window_blocks}
+    Drift: drift_displays, Window: window_blocks, WheelSpeeds: speeds_blocks}
 for _type, _blocks in _OF_TYPE.items():
     result_blocks.register(_type, _blocks)
 

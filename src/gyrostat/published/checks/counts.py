@@ -51,8 +51,9 @@ def count_at(r: Reading, values: Values, doubt: Doubt) -> Seen | None:
                              f"library {doubt.derived}")
     if again == printed:
         return None
+    other = " + U" if "potential" in r.scene.table else ""
     return Seen(doubt.printed, doubt.derived, f"a search from many starts, by Newton's method in V = (3/2) "
-                f"ω0² r·Ir − (1/2) ω0² n·In − ω0 n·l, ends at {len(found)} different points", True)
+                f"ω0² r·Ir − (1/2) ω0² n·In − ω0 n·l{other}, ends at {len(found)} different points", True)
 
 
 def _texts(value: Any) -> list[str]:

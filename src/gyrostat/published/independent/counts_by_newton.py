@@ -2,12 +2,16 @@
 
 Nothing here uses the equilibria of the library, nor any published formula.
 """
+from collections.abc import Callable
+
 import numpy as np
 from numpy.typing import NDArray
+from sympy import Matrix, Rational, hessian, lambdify
 
+from ...notation import symbol
 from ..scenes import Scene
 from .counterexample import Values
-from .frame_equations import rate_of
+from .frame_equations import other_energy, rate_of
 
 STARTS, STEPS = 400, 60
 FLAT = 1e-7                                                # of det D²V, beside the cube of its size
@@ -17,19 +21,16 @@ Array = NDArray[np.float64]
 def found_by_search(scene: Scene, values: Values) -> list[int | None]:
     """Return the number of negative squares of D²V for each critical point of V; None if it is degenerate.
 
-    V = (3/2) ω0² r·Ir − (1/2) ω0² n·In − ω0 n·l.
+    V = (3/2) ω0² r·Ir − (1/2) ω0² n·In − ω0 n·l + U.
     """
-    at = dict(values)
-    rate = float(rate_of(scene).subs(at))
-    rotor = np.array([float(x.subs(at)) for x in scene.body.gyrostatic_momentum])
-    tensor = np.array([[float(x.subs(at)) for x in row] for row in scene.body.tensor.tolist()])
+    derivatives = _derivatives_of(scene, values)
     place = _directions(np.random.default_rng(1).normal(size=(STARTS, 4)))
     for _ in range(STEPS):
-        slope, bent = _derivatives(place, tensor, rotor, rate)
+        slope, bent = derivatives(place)
         move = -np.einsum("mij,mj->mi", np.linalg.pinv(bent, rcond=1e-13, hermitian=True), slope)
         length = np.linalg.norm(move, axis=1, keepdims=True)
         place = _turned(place, move * np.minimum(1, 0.4 / (length + 1e-300)))
-    slope, bent = _derivatives(place, tensor, rotor, rate)
+    slope, bent = derivatives(place)
     found: list[Array] = []
     indices: list[int | None] = []
     for here, form in zip(place[np.abs(slope).max(1) < 1e-11], bent[np.abs(slope).max(1) < 1e-11]):
@@ -40,17 +41,26 @@ def found_by_search(scene: Scene, values: Values) -> list[int | None]:
     return indices
 
 
-def _derivatives(place: Array, tensor: Array, rotor: Array, rate: float) -> tuple[Array, Array]:
-    """Return DV and D²V by θ at 0; each row a of a place, n or r, turns to a + a × θ + (a × θ) × θ/2."""
-    slope, bent = np.zeros((len(place), 3)), np.zeros((len(place), 3, 3))
-    for a, weight, linear in ((place[:, 0], -rate**2, -rate * rotor), (place[:, 1], 3 * rate**2, 0 * rotor)):
-        force = weight * a @ tensor + linear
-        turns = np.cross(a[:, None], np.eye(3)[None])      # a × e_i
-        twice = np.cross(turns[:, :, None], np.eye(3)[None, None])
-        slope += np.einsum("mij,mj->mi", turns, force)
-        bent += weight * np.einsum("mia,ab,mjb->mij", turns, tensor, turns)
-        bent += np.einsum("mija,ma->mij", (twice + twice.transpose(0, 2, 1, 3)) / 2, force)
-    return slope, bent
+def _derivatives_of(scene: Scene, values: Values) -> Callable[[Array], tuple[Array, Array]]:
+    """Return what gives DV and D²V by θ at 0; each row a of a place, n or r, turns to a + a × θ."""
+    x = [symbol(f"{a}{i}") for a in "nr" for i in (1, 2, 3)]
+    n, r = Matrix(x[:3]), Matrix(x[3:])
+    rate, tensor, rotor = rate_of(scene), scene.body.tensor, Matrix(scene.body.gyrostatic_momentum)
+    V = (Rational(3, 2) * rate**2 * r.dot(tensor * r) - rate**2 * n.dot(tensor * n) / 2 - rate * n.dot(rotor)
+         + other_energy(scene, n, r)).subs(dict(values))
+    slopes, bends = (lambdify([x], list(entries)) for entries in (Matrix([V]).jacobian(x), hessian(V, x)))
+
+    def derivatives(place: Array) -> tuple[Array, Array]:
+        at = place.reshape(-1, 6).T
+        force, curved = (np.stack(np.broadcast_arrays(at[0], *f(at))[1:], -1) for f in (slopes, bends))
+        force, curved = force.reshape(-1, 2, 3), curved.reshape(-1, 2, 3, 2, 3)
+        turns = np.cross(place[:, :, None], np.eye(3))     # a × e_i
+        twice = np.cross(turns[:, :, :, None], np.eye(3))
+        bent = np.einsum("mdia,mdaeb,mejb->mij", turns, curved, turns)
+        bent += np.einsum("mdija,mda->mij", (twice + twice.transpose(0, 1, 3, 2, 4)) / 2, force)
+        return np.einsum("mdia,mda->mi", turns, force), bent
+
+    return derivatives
 
 
 def _directions(quaternions: Array) -> Array:

@@ -118,6 +118,12 @@ def rate_of(scene: Scene) -> Expr:
     return given["rate"] if "rate" in given else sqrt(given.get("mu", around.mu) / given["radius"] ** 3)
 
 
+def other_energy(scene: Scene, n: Matrix, r: Matrix) -> Expr:
+    """Return what acts in an orbit beside the gravity gradient, with t = n × r inserted."""
+    given = parse(scene.table.get("potential", "0").replace("none", "0"))
+    return given.subs(dict(zip(map(symbol, ("t1", "t2", "t3")), n.cross(r))))
+
+
 def _hat(v: Matrix) -> Matrix:
     return Matrix([[0, -v[2], v[1]], [v[2], 0, -v[0]], [-v[1], v[0], 0]])
 
@@ -128,7 +134,7 @@ Equations = tuple[Matrix, Matrix, Matrix, Expr]
 def _orbit(model: InFrame, scene: Scene, tensor: Matrix) -> Equations:
     """Return π̇, the rate in the orbital frame, the absolute rate, and h; gravity acts on free rotors too."""
     n, r, rate = model.a, model.b, model.number(rate_of(scene))
-    other = model.number(parse(scene.table.get("potential", "0").replace("none", "0")))
+    other = model.number(other_energy(scene, n, r))
     omega, free = tensor.inv() * PI, [x for x in scene.rotors if x.momentum is not None]
     mass = tensor + sum((model.number(Matrix(x.axial * x.along)) for x in free), zeros(3, 3))
     turning = (PI + model.rotor).cross(omega) + 3 * rate**2 * r.cross(mass * r) + _torque(model, other)

@@ -59,11 +59,11 @@ def _data(solution: Solution) -> dict[str, Any]:
     return {"name": solution.name, "parts": [{
         "meaning": part.meaning, "margin": str(part.margin), "cases": [{
             "when": [{"expression": str(e), "compared_with_0": relation} for e, relation in case.when],
-            "intervals": [_interval(i) for i in case.intervals]} for case in part.cases]}
+            "intervals": [interval_data(i) for i in case.intervals]} for case in part.cases]}
                                              for part in solution.parts]}
 
 
-def _interval(i: Interval) -> dict[str, Any]:
+def interval_data(i: Interval) -> dict[str, Any]:
     """Its ends, and the expressions of which the first that is not 0 is positive where the end belongs to it.
     """
     return {"low": str(i.low), "low_if": strings(i.low_if), "high": str(i.high),
