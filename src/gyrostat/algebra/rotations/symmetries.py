@@ -83,5 +83,5 @@ def on_sphere(form: QuarticForm, turning: Turning) -> OnSphere | None:
 
 
 def _entries(form: fmpq_mpoly) -> list[fmpq]:
-    known: Form = {tuple(map(int, e)): c for e, c in form.to_dict().items()}
+    known: Form = {(a, b, c, d): x for (a, b, c, d), x in form.to_dict().items()}
     return [known.get(e, fmpq(0)) for e in monomials(4)]

@@ -110,7 +110,7 @@ def _circle(direction: Sequence[Expr], of_body: bool, u: Sequence[Expr]) -> str:
 
 def _torus(turnings: Sequence[Turning], z: Sequence[Expr]) -> str:
     c, e = (", ".join(map(str, v)) for v in (turnings[0].body, turnings[1].frame))
-    height = evaluate(Add(*(x * y for x, y in zip(z, unit(turnings[1].frame)))), {})
+    height = evaluate(Add(*(x * y for x, y in zip(z, unit(tuple(map(S, turnings[1].frame)))))), {})
     return (f"a torus of equilibria, turned about ({c}) in the body and ({e}) in t, n, r: the cosine of "
             f"their angle is {shown(height, DIGITS)}")
 

@@ -39,10 +39,13 @@ def orbit_forms(scene: System, values: Mapping[str, Any]) -> list[OrbitalForm]:
         return loaded(ANY_FIELD)(here)
     if (placed := in_principal_axes(here, torque)) is not None:
         along, axis = [i for i, x in enumerate(placed.along) if x != 0], placed.axis_of_symmetry
-        if axis is not None and along in ([], [axis]) or len(along) < 2:
-            found = placed.circles(axis) if axis is not None and along in ([], [axis]) else placed.points(
-                (along or [0])[0])
-            return list(found) if by_gradient_alone(here) else loaded(ORDER)(here, list(found))
+        forms = None
+        if axis is not None and along in ([], [axis]):
+            forms = list(placed.circles(axis))
+        elif len(along) < 2:
+            forms = list(placed.points((along or [0])[0]))
+        if forms is not None:
+            return forms if by_gradient_alone(here) else loaded(ORDER)(here, forms)
     if torque.axis != 1 or (found := _direction(here, [-x for x in torque.vector])) is None:
         return loaded(ANY_FIELD)(here)
     direction, scale = found
