@@ -142,6 +142,9 @@ KOVALEVSKAYA = "(pi1^2/4 - pi2^2/4 + k1)^2 + (pi1*pi2/2 + k2)^2"
 SPIN = {"I1": "1", "I3": "8/5", "l": "0", "m0": "1"}
 EARTH = ANY | {"orbit": "omega0", "equilibrium": "earth-pointing"}
 MOMENTS = {"I1": "1", "I2": "2", "I3": "3"}
+ASTEROID = "a*(I1*r1^2 + I2*r2^2 + I3*r3^2) + b*(I1*n1^2 + I2*n2^2 + I3*n3^2)"
+# the moments 1, 5/4, 8/5 along the directions (2, −1, 2)/3, (2, 2, −1)/3, (−1, 2, 2)/3
+TURNED = [["53/45", "-1/45", "-17/90"], ["-1/45", "62/45", "19/90"], ["-17/90", "19/90", "233/180"]]
 PRECESSES = ROUND | {"orbit": "omega0"}
 TILT = {"I1": "1", "n3": "3/4", "omega0": "1"}
 ROTOR = ("0", "0", "1/2")
@@ -201,6 +204,16 @@ CASES = {
                                               "-sqrt(2)/2", "0", "sqrt(2)/2", "sqrt(2)/2"]}, level={}),
     "in orbit, with drag": Case({}, {"orbit": "1", "inertia": ["1", "5/4", "8/5"], "potential": "4/5*t1",
                                      "point": ["0", "0", "8/5", *"001010"]}, level={}),
+    "in orbit, a dipole": Case({"I1": "5/4", "I2": "8/5", "I3": "1", "omega0": "1", "m0": "1/3"}, EARTH | {
+        "potential": "m0*r3"}, level={}),
+    "in orbit, an asteroid": Case({"I1": "5/4", "I2": "8/5", "I3": "1", "omega0": "1", "a": "-1/5",
+                                   "b": "1/3"}, EARTH | {"potential": ASTEROID}, level={}),
+    "in orbit, a free wheel": Case({"omega0": "1"}, {
+        "orbit": "omega0", "inertia": ["60", "70", "35"], "lumped": True, "equilibrium": "earth-pointing",
+        "rotors": [{"axis": [*"010"], "axial": "5", "momentum": "1"}]}, level={}),
+    "in orbit, in other axes": Case({}, {
+        "orbit": "1", "inertia": TURNED, "gyrostatic_momentum": ["-1/15", "2/15", "2/15"], "point": [
+            "-8/15", "16/15", "16/15", "-1/3", "2/3", "2/3", "2/3", "-1/3", "2/3"]}, level={}),
     "in orbit, held by a rotor": Case({"d": "1/10", "l": "1/5", "omega0": "1"}, make=_held),
     "cylindrical": Case({"I1": "1", "I3": "8/5", "l": "1", "omega0": "1"}, PRECESSES | {
         "equilibrium": "cylindrical"}, level={}),

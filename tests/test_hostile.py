@@ -97,6 +97,7 @@ UP, BODY = gs.upright(TOP), gs.Gyrostat((1, 2, 3), (0, 0, 0))
 HEAVY, HUNG = (gs.assemble(BODY, gs.general_potential(field)) for field in ("k1+k2+k3", "k3"))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("function, given", [
     (gs.Gyrostat, {"inertia": (1, 2, "5/2"), "gyrostatic_momentum": (0, 0, 1)}),
     (gs.general_potential, {"expression": "k1"}), (gs.newtonian_field, {"order": 2}),

@@ -80,6 +80,7 @@ def test_imports_point_downwards_and_in_no_circle():
     list(TopologicalSorter(graph).static_order())
 
 
+@pytest.mark.slow
 def test_folders_of_a_package_import_downwards():
     """No two folders of a package import each other, directly or by way of others."""
     graph = defaultdict(set)
@@ -122,6 +123,7 @@ def heavy(modules):
     return {"sympy", "flint", "numpy", "scipy", "matplotlib", "rich"} & {m.split(".")[0] for m in modules}
 
 
+@pytest.mark.slow
 def test_import_loads_no_mathematics():
     """import gyrostat loads what its names need when they are used."""
     new = loaded("import gyrostat; import gyrostat.charts, gyrostat.mechanics")
@@ -146,6 +148,7 @@ def test_what_type_checkers_read_is_what_is_loaded_later(name):
                         for n in names.split() or [module]}
 
 
+@pytest.mark.slow
 def test_a_name_that_is_loaded_is_kept_and_an_unknown_one_refused():
     """Its home is asked once."""
     new = loaded("import gyrostat; gyrostat.symbol; print(*vars(gyrostat))")
@@ -154,6 +157,7 @@ def test_a_name_that_is_loaded_is_kept_and_an_unknown_one_refused():
         gyrostat.charts.chart_of  # noqa: B018
 
 
+@pytest.mark.slow
 def test_a_verdict_loads_no_view_and_no_numpy():
     """A derivation and a verdict need neither typesetting nor floating-point arrays."""
     new = loaded("import gyrostat as g; "
@@ -162,6 +166,7 @@ def test_a_verdict_loads_no_view_and_no_numpy():
     assert not above(new) and "numpy" not in new
 
 
+@pytest.mark.few(4)
 @pytest.mark.parametrize("arguments", ["--version", "--help", "report --help", "plot cones --help",
                                        "report --potential", "chart --axis", "--print-completion bash"])
 def test_the_command_line_is_understood_without_mathematics(arguments):

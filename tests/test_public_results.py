@@ -56,6 +56,7 @@ def test_results_are_copied_and_pickled_after_they_were_asked():
                 assert repr(again) == repr(result) and str(again) == str(result)
 
 
+@pytest.mark.few(6)
 @pytest.mark.parametrize("body, field, values, start, route", [
     ((), gs.uniform_field(), TOP, START, "elliptic"),
     ((), gs.uniform_field(), TOP, (0, 0, 1, 0, 0, 1), "equilibrium"),

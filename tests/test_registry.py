@@ -76,7 +76,7 @@ def test_every_name_is_there_once_and_has_a_use():
         assert {use_of(name) for name in some.split()} == {use}
 
 
-@pytest.mark.few(12)
+@pytest.mark.few(10)
 @pytest.mark.parametrize("entry", [e for e in REGISTRY if e.use is not Use.PRINTED], ids=lambda e: e.name)
 def test_the_table_decides_where_a_name_may_stand(entry):
     """In a potential, a tensor, a rotor, a drift and a rate."""

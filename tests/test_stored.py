@@ -1,4 +1,5 @@
 """How what is stored of the pages is compared with what is made: docs/stored.py."""
+import pytest
 import stored
 from matplotlib.figure import Figure
 from matplotlib.text import Text
@@ -15,6 +16,7 @@ def picture(path, *styles):
     return path
 
 
+@pytest.mark.slow
 def test_one_line_of_a_picture_is_seen(tmp_path):
     """Drawn twice it is the same; another style of one line, a line more and another size are not."""
     first = picture(tmp_path / "first.png", "-", "--", ":")

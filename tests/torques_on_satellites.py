@@ -19,9 +19,9 @@ def along(name, vector):
     return " + ".join(f"({x})*{name}{i}" for i, x in enumerate(vector, 1))
 
 
-def in_turned_axes(vector):
-    """The components of a vector in the axes that TURN gives."""
-    return [sum(x * row[i] for x, row in zip(vector, TURN)) for i in range(3)]
+def in_axes(turn, vector):
+    """The components of a vector given along the rows of a rotation."""
+    return [sum(x * row[i] for x, row in zip(vector, turn)) for i in range(3)]
 
 
 def form(a, matrix, b):
@@ -43,7 +43,8 @@ class Satellite:
         own = locked - float(wheel[1]) * np.outer(*[np.array(wheel[0], float)] * 2) if wheel else locked
         self.matrix = np.zeros((9, 9))
         self.matrix[3:6, 3:6], self.matrix[6:, 6:] = -own, 3 * locked
-        self.vector[3:6] -= np.array(rotor if wheel is None else [wheel[2] * x for x in wheel[0]], float)
+        self.rotor = np.array(rotor if wheel is None else [wheel[2] * x for x in wheel[0]], float)
+        self.own, self.vector[3:6] = own, -self.rotor
         for a, v in (linear or {}).items():
             self.vector["tnr".index(a) * 3:][:3] += np.array(v, float)
         for (a, b), m in (forms or {}).items():

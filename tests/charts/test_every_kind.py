@@ -24,7 +24,7 @@ def code_of(report, numbers, damped):
         return INVALID
 
 
-@pytest.mark.few(6)
+@pytest.mark.slow
 @pytest.mark.parametrize(("name", "damped"), KINDS)
 def test_arrays_are_what_verdicts_say(name, damped):
     """At 60 random points, on boundaries, too."""

@@ -3,7 +3,7 @@ import json
 from fractions import Fraction
 
 import pytest
-from commands import run
+from commands import run, scene_file
 from scene_kinds import CASES
 
 import gyrostat as gs
@@ -24,14 +24,7 @@ def case(request):
 @pytest.fixture
 def file(case, tmp_path):
     """The scene as a file; of a point its coordinates are named on the command line."""
-    def written(value):
-        if isinstance(value, dict):
-            return "{ " + ", ".join(f"{name} = {written(x)}" for name, x in value.items()) + " }"
-        return json.dumps(value)
-
-    table = case.table | {"values": case.values}
-    path = tmp_path / "scenes.toml"
-    path.write_text("[scene.one]\n" + "\n".join(f"{name} = {written(x)}" for name, x in table.items()))
+    path = scene_file(case, tmp_path / "scenes.toml")
     return f"{path}#one"
 
 
@@ -47,6 +40,7 @@ def told(entry):
             for key in ("decision", "damped_decision")]
 
 
+@pytest.mark.few(4)
 def test_decide_says_the_same(case, file, capsys):
     """As data and as text, and the point itself where the verdict is modulo a flow."""
     report = case.report
@@ -63,6 +57,7 @@ def test_decide_says_the_same(case, file, capsys):
         assert decision.scope.partition(" ")[0] in text.partition("Reason")[0]
 
 
+@pytest.mark.few(5)
 def test_a_batch_says_the_same(case, file, capsys, tmp_path):
     """A line of it."""
     lines = tmp_path / "lines.jsonl"
@@ -73,6 +68,7 @@ def test_a_batch_says_the_same(case, file, capsys, tmp_path):
                                                   case.report.verdict(case.values, damped=True))
 
 
+@pytest.mark.few(8)
 @pytest.mark.parametrize("verb", ["report", "conditions", "decide"])
 def test_a_question_about_the_table_is_answered_with_the_document(case, file, capsys, verb):
     """Key by key what the verb writes of the file; or it is refused in the same words."""
@@ -85,6 +81,7 @@ def test_a_question_about_the_table_is_answered_with_the_document(case, file, ca
         assert status == 0 and found == json.loads(out)
 
 
+@pytest.mark.few(6)
 def test_the_page_says_the_same(case):
     """Its verdicts, and the sentence that says what is proved."""
     decision, damped = case.report.verdict(case.values), case.report.verdict(case.values, damped=True)
@@ -130,6 +127,7 @@ def _dyadic(text):
         return False
 
 
+@pytest.mark.few(2)
 @pytest.mark.parametrize("case", SETS, indirect=True)
 def test_sets_say_the_same(case):
     """A value is in the stabilising set where it is stable, in what is left open where it is undecided."""

@@ -124,6 +124,13 @@ def test_without_a_point(capsys):
     assert out.startswith("2 relative equilibria: 2 stable.") and "1  E1     1  stable" in out
 
 
+def test_a_name_without_a_number_is_said(capsys):
+    """Of a satellite in an orbit whose other names have one."""
+    status, out, err = run(capsys, "--orbit", "1", "--inertia", "3,2,1", "--gyrostatic-momentum", "0,0,0",
+                           "--potential", "f*(x*t1 + z*t3)", *sets({"f": 1, "x": 2}), verb="decide")
+    assert (status, out) == (2, "") and err.endswith("if every name has a number, and z has none\n")
+
+
 def test_every_permanent_rotation(capsys):
     """At a rate, in text and as data; each is one where M × ω + k × ∇U vanishes. In a direction too."""
     body = {"I1": 1, "I2": 2, "I3": 3, "l1": 0, "l2": 0, "l3": "1/2"}

@@ -73,7 +73,7 @@ def test_each_schema_is_one(name):
     Draft202012Validator.check_schema(SCHEMAS[name])
 
 
-@pytest.mark.few(12)
+@pytest.mark.few(7)
 @pytest.mark.parametrize(("schema", "question"), ASKED)
 def test_what_a_verb_writes_is_described(capsys, tmp_path, schema, question):
     """It validates against the schema of its verb, which refuses keys that it does not describe."""
@@ -89,7 +89,7 @@ def test_arcs_and_normal_forms_are_described(capsys, tmp_path, question):
     assert not faults("decide", document) and faults("decide", document | {"unknown": 1})
 
 
-@pytest.mark.few(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("question", CHANGED)
 def test_a_changed_document_is_refused(capsys, tmp_path, question):
     """Whatever key goes, whatever key comes, and whatever value becomes another kind of thing."""

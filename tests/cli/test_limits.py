@@ -39,6 +39,7 @@ def test_a_time_is_positive_seconds(capsys, text):
     assert stop.value.code == 2 and "is not a time: give seconds" in capsys.readouterr().err
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("arguments", [
     ["decide", "--potential", "m0*k3", "--set", "I1=2", "--set", "I3=1", "--set", "l=1", "--set", "m0=1/2",
      "--set", "omega=1e400"],
@@ -126,6 +127,7 @@ def test_a_table_is_read_by_others(capsys, tmp_path):
     assert f"gyrostat_version = {gyrostat.__version__}" in head
 
 
+@pytest.mark.slow
 def test_the_old_file_is_kept(capsys, tmp_path, monkeypatch):
     """Of every kind, where writing the new one fails; nothing lies beside it."""
     from matplotlib.animation import PillowWriter

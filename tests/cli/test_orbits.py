@@ -197,8 +197,7 @@ def test_refusals(capsys, verb, arguments, why):
 
 @pytest.mark.parametrize(("kind", "more"), [
     ("momentum-sphere", ("--momentum", "1")), ("rotor-set", ("--momentum", "1")), ("staude-cone", ()),
-    ("effective-potential", ()), ("energy-momentum", ()), ("amended-potential", ()), ("staude-plane", ()),
-    ("bifurcations", ("--x", "l=0:1 N m s"))])
+    ("effective-potential", ()), ("energy-momentum", ()), ("amended-potential", ()), ("staude-plane", ())])
 def test_pictures_of_other_scenes(capsys, file, tmp_path, kind, more):
     """Each says what it is of."""
     status, _, err = run(capsys, kind, "--scene", f"{file}#leo", *more, "--output", str(tmp_path / "x.png"),

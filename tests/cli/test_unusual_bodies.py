@@ -41,6 +41,7 @@ LISTS = {"free": ["--potential", "none", "--set", "M=2"], "orbit": ["--orbit", "
          "in a direction": ["--potential", "13/5*k3", "--set", "k1=0", "k2=3/5", "k3=4/5"]}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", LISTS)
 def test_a_list_says_it_once(kind, capsys):
     """As text, and as JSON under the key of a single verdict; of a body that there is, nothing."""

@@ -1,8 +1,7 @@
 """Documents in the width of the terminal."""
-import json
 
 import pytest
-from commands import run
+from commands import run, scene_file
 from scene_kinds import CASES
 
 from gyrostat.charts import progress
@@ -83,16 +82,9 @@ ASKED = [["report"], ["conditions"], ["decide", "--full"], ["motion", "--until",
 @pytest.mark.parametrize("case", [name for name, case in CASES.items() if case.table is not None])
 def test_no_line_is_wider_than_80_columns(capsys, monkeypatch, tmp_path, case, asked):
     """Of what a verb says of any kind of scene, its messages too; the rows of a table of numbers are data."""
-    def written(value):
-        if isinstance(value, dict):
-            return "{ " + ", ".join(f"{name} = {written(x)}" for name, x in value.items()) + " }"
-        return json.dumps(value)
-
     monkeypatch.setenv("COLUMNS", "80")
     monkeypatch.chdir(tmp_path)
-    path = tmp_path / "scenes.toml"
-    table = CASES[case].table | {"values": CASES[case].values}
-    path.write_text("[scene.one]\n" + "\n".join(f"{name} = {written(x)}" for name, x in table.items()))
+    path = scene_file(CASES[case], tmp_path / "scenes.toml")
     main([*asked, "--scene", str(path)])
     out, err = capsys.readouterr()
     lines = (err if asked[0] == "motion" else out + err).splitlines()

@@ -6,13 +6,14 @@ import numpy as np
 import oracle
 import pytest
 from oracle.equilibria import cross
-from satellites import of_orbit
 from scene_kinds import CASES
-from sympy import Expr, lambdify, total_degree
+from sympy import Expr, Integer, Matrix, expand, hessian, lambdify, total_degree
+from two_directions import Scene
 
 import gyrostat as gs
 from gyrostat.errors import SingularOrbitError
 from gyrostat.mechanics.equilibrium.equilibrium import Equilibrium
+from gyrostat.mechanics.families.circular_orbit import by_gradient_alone
 from gyrostat.mechanics.scenes.potential import DIRECTIONS
 
 FREE, FIELD, REVOLUTION, ORBIT = "free", "in a field", "of revolution", "in orbit"
@@ -85,6 +86,7 @@ def velocity(e):
     return rate["omega"] * doubles(e.directions[0]) + spin
 
 
+@pytest.mark.few(2)
 def test_every_attribute_answers(found):
     """Or is None where there is no such thing."""
     for e in found:
@@ -130,6 +132,7 @@ def test_rates_and_directions_give_the_momentum(found):
             assert np.linalg.det(near) == pytest.approx(1, abs=1e-14)
 
 
+@pytest.mark.few(25)
 def test_the_energy_is_the_hamiltonian(found):
     """½ ω·Iω + U; in orbit ½ ω·Iω − ω0 n·(Iω + l) + 3 ω0² r·Ir/2, in the frame that turns."""
     for e in found:
@@ -139,15 +142,23 @@ def test_the_energy_is_the_hamiltonian(found):
         if kind(e) == ORBIT:
             (n, r), rate = map(doubles, e.directions), float(e.rates["omega0"])
             expected += 3 * rate**2 * r @ inertia @ r / 2 - rate * n @ (inertia @ omega + rotor)
-            expected += drag(e) * np.cross(n, r)[0]
+            expected += float(beside(e).subs(dict(zip(N_R, (*n, *r)))))
         elif kind(e) != FREE:
             expected += float(e.scene.potential.expression.subs(dict(zip(DIRECTIONS, e.directions[0]))))
         assert float(e.energy) == pytest.approx(expected, rel=1e-13, abs=1e-13)
 
 
-def drag(e):
-    """Of the case with drag on axis 1."""
-    return 0.8 * (e.scene.potential.expression.coeff(gs.symbol("n2") * gs.symbol("r3")) != 0)
+N_R = [gs.symbol(f"{name}{i}") for name in "nr" for i in (1, 2, 3)]
+
+
+def beside(e):
+    """What acts beside the gravity gradient; the field of this alone is of the oracle."""
+    if by_gradient_alone(e.scene):
+        return Integer(0)
+    n, r, rate = N_R[:3], N_R[3:], e.rates["omega0"]
+    gravity = 3 * rate**2 / 2 * (Matrix(r).T * e.scene.body.tensor * Matrix(r))[0]
+    rotor = sum(x * y for x, y in zip(n, e.scene.body.gyrostatic_momentum))
+    return expand(e.scene.potential.expression - gravity + rate * rotor)
 
 
 def eigenvalues(e):
@@ -155,10 +166,12 @@ def eigenvalues(e):
     inertia, rotor = body_of(e)
     x = doubles(e.point)
     if kind(e) == ORBIT:
-        scene, state = of_orbit(np.diag(inertia), x[3:6], x[6:], rotor)
-        for i, j, sign in ((1, 5, 1), (5, 1, 1), (2, 4, -1), (4, 2, -1)):      # of t1 = n2 r3 − n3 r2
-            scene.S[i][j] += sign * drag(e)
-        return np.linalg.eigvals(np.array(scene.jacobian(state), float))
+        rate, U, none = float(e.rates["omega0"]), beside(e), np.zeros((3, 3))
+        curved = np.array(hessian(U, N_R), float) + np.block([[none, none], [none, 3 * rate**2 * inertia]])
+        sloped = [float(U.diff(a).subs(dict.fromkeys(N_R, 0))) for a in N_R]
+        scene = Scene(np.linalg.inv(inertia), rotor, -rate * np.eye(3, 6), curved,
+                      np.array(sloped) - rate * np.array([*rotor, 0, 0, 0]))
+        return np.linalg.eigvals(np.array(scene.jacobian(x), float))
     inverse = np.linalg.inv(inertia)
     if kind(e) == FREE:
         return np.linalg.eigvals(oracle.jacobian(lambda pi: cross(pi + rotor, inverse @ pi), x).astype(float))
@@ -175,6 +188,7 @@ def eigenvalues(e):
     return np.linalg.eigvals(oracle.jacobian(field, x, 1 if quadratic else 2**-16).astype(float))
 
 
+@pytest.mark.few(11)
 def test_frequencies_and_growth_rates_are_those_of_the_motion(found):
     """Every eigenvalue but 0 of the differenced equations; two that meet are apart by 1e-8 in doubles."""
     for e in found:
@@ -185,6 +199,7 @@ def test_frequencies_and_growth_rates_are_those_of_the_motion(found):
         assert float(e.growth_rate or 0) == pytest.approx(growth if growth > 1e-4 else 0, abs=1e-7), e
 
 
+@pytest.mark.few(2)
 def test_the_report_of_its_equilibrium_says_the_same(found):
     """Verdict, notion and growing modes; the rung too, where it stands alone: a set is decided as one."""
     for e in found:
@@ -204,6 +219,7 @@ def test_as_many_modes_grow_as_the_index_says(found):
             assert e.damped.growing == e.form.index, e
 
 
+@pytest.mark.few(2)
 def test_it_is_compared_hashed_and_pickled(found):
     """Equal to its copy alone, before and after it was asked."""
     for asked in (False, True):

@@ -91,7 +91,7 @@ def test_it_is_refused_with_what_to_do(name):
         REFUSED[name]()
 
 
-@pytest.mark.few(5)
+@pytest.mark.few(2)
 @pytest.mark.parametrize("name", [
     pytest.param(name, marks=[pytest.mark.slow] * (name in ("continuation", "draw_bifurcation_diagram")))
     for name in ANSWERED])

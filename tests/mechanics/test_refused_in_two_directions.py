@@ -20,19 +20,20 @@ REFUSED = {
     "permanent_rotation": gs.permanent_rotation, "reduce": gs.mechanics.reduce,
     "bifurcations": gs.bifurcations, "amended_potential": gs.amended_potential, "staude_cone": gs.staude_cone,
     "principal_rotation": lambda scene: gs.principal_rotation(scene, 3),
-    "bifurcation_points": lambda scene: gs.bifurcation_points(scene, "omega", {}),
-    "continuation": lambda scene: gs.continuation(scene, "omega", (0, 1), {}),
     "lagrangian": lambda scene: gs.mechanics.lagrangian(scene.body, scene.potential),
     "effective_potential": lambda scene: gs.mechanics.effective_potential(scene.body, scene.potential),
     "draw_amended_potential": lambda scene: gs.plotting.draw_amended_potential(scene, {"C1": 1}),
-    "draw_bifurcation_diagram": lambda scene: gs.plotting.draw_bifurcation_diagram(
-        scene, "omega", (0, 1), {}),
     "draw_effective_potential": lambda scene: gs.plotting.draw_effective_potential(scene, LEVEL),
     "draw_energy_momentum": lambda scene: gs.plotting.draw_energy_momentum(scene, {"p_psi": 1}),
     "draw_momentum_sphere": lambda scene: gs.plotting.draw_momentum_sphere(scene, 2),
     "draw_rotor_set": lambda scene: gs.plotting.draw_rotor_set(scene, {"l3": 0, "M": 1}),
     "draw_staude_cone": gs.plotting.draw_staude_cone,
     "draw_staude_plane": gs.plotting.draw_staude_plane}
+ONLY_IN_ORBIT = {
+    "bifurcation_points": lambda scene: gs.bifurcation_points(scene, "omega", {}),
+    "continuation": lambda scene: gs.continuation(scene, "omega", (0, 1), {}),
+    "draw_bifurcation_diagram": lambda scene: gs.plotting.draw_bifurcation_diagram(
+        scene, "omega", (0, 1), {})}
 ANSWERED = {"equilibrium", "assemble", "earth_pointing", "relative_equilibria", "orbital_precession",
             "steady_motion", "release", "draw_attitudes", "wheel_speeds"}
 
@@ -47,12 +48,19 @@ def test_it_is_refused(name, scene):
     assert len(str(error.value)) < 400
 
 
+@pytest.mark.parametrize("name", ONLY_IN_ORBIT)
+def test_what_is_answered_in_orbit_is_refused_with_a_coupling(name):
+    """By the same sentence."""
+    with pytest.raises(ScopeError, match="coupling β"):
+        ONLY_IN_ORBIT[name](SCENES["coupled"])
+
+
 def test_no_verb_is_left_out():
     """Of those that take a scene."""
     takes = {name for module in (gs, gs.plotting, gs.mechanics) for name in module.__all__
              if inspect.isfunction(verb := getattr(module, name))
              and "scene" in inspect.signature(verb).parameters}
-    assert takes <= REFUSED.keys() | ANSWERED
+    assert takes <= REFUSED.keys() | ONLY_IN_ORBIT.keys() | ANSWERED
 
 
 def test_a_normal_form_is_refused():

@@ -22,6 +22,13 @@ def torque(turn, matrix, vector):
     return whole, bends - sum(hats(slopes[:, i]) @ each[i] for i in range(3))
 
 
+def growth(inertia, rotor, normal, K):
+    """The largest real part of λ in det(λ² I + λ hat(g) + K) = 0, g = (tr I − 2 I) n − l, ω0 = 1."""
+    gyroscopic = hats(((np.trace(inertia) * np.eye(3) - 2 * inertia) @ normal - rotor)[None])[0]
+    inverse, zero = np.linalg.inv(inertia), np.zeros((3, 3))
+    return np.linalg.eigvals(np.block([[zero, np.eye(3)], [-inverse @ K, -inverse @ gyroscopic]])).real.max()
+
+
 def search(matrix, vector, starts=300, seed=0):
     """The rotations at which the torque vanishes that Newton's method ends at, rows t, n, r; and −K there."""
     turn = frames(np.random.default_rng(seed).normal(size=(starts, 4)))

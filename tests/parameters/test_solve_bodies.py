@@ -138,6 +138,7 @@ def test_an_asymmetric_body_as_far_as_it_is_proved(inertia, name, values, wholly
     assert None not in kinds or left in shown
 
 
+@pytest.mark.slow
 def test_a_rate_in_rpm_is_that_in_radians():
     """The ends of the set are 30/π times the others; π stands in every coefficient of the sextic."""
     def ends(unit):

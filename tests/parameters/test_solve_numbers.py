@@ -92,6 +92,7 @@ TIED = [("U1", "k3", {"l": 1, "omega": 1}, []), ("U1", "omega", {"l": 1, "k3": 0
         ("quartic", "omega", {"l": 0, "k3": "1/4"}, ["-sqrt(3)/2", "sqrt(3)/2"])]
 
 
+@pytest.mark.few(5)
 @pytest.mark.parametrize(("field", "name", "values", "expected"), TIED)
 def test_a_relation_leaves_points(field, name, values, expected):
     """E3 with its relation fully given.

@@ -29,6 +29,7 @@ def stiffness(n, r, moments, rotor):
                      [0, 3 * nr, nn - tt + held]])
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize(("l", "count", "stable"), [
     ((0, 0, 0), 24, 4), (("3/10", "1/5", "1/10"), 16, 2), (("1/50", "3/100", "1/25"), 24, 4),
     pytest.param((2, 2, 2), 8, 2, marks=pytest.mark.slow)])

@@ -80,6 +80,7 @@ def test_branches_end_at_bifurcations(followed):
         assert mark in tips
 
 
+@pytest.mark.slow
 def test_stability_of_e3_changes_where_the_oracle_says():
     """Where a branch goes from stable to unstable, −g''/2 is 0."""
     pieces, changes = continuation(QUARTIC, "omega", (0, 2), {"I1": 2, "I3": 1, "l": "1/10"}).pieces, 0

@@ -48,6 +48,7 @@ def test_captions_are_latex(tmp_path):
             assert f": {name.get_text()}" in text
 
 
+@pytest.mark.slow
 def test_a_caption_says_what_the_picture_shows():
     """U, every number, and the look of each verdict and mark, as the artists have it."""
     ax = plotting.draw_bifurcation_diagram(SCENE, "omega", (-5, 5), BODY, Figure().subplots())
@@ -60,6 +61,7 @@ def test_a_caption_says_what_the_picture_shows():
     assert not matplotlib.colors.same_color(mark.get_markerfacecolor(), "white")
 
 
+@pytest.mark.slow
 def test_a_caption_does_not_need_the_title():
     """A paper leaves the title out; a colour that is given is named."""
     ax = plotting.draw_bifurcation_diagram(SCENE, "omega", (-5, 5), BODY, Figure().subplots(), color="green")

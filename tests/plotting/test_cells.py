@@ -28,6 +28,7 @@ def drawn(e1, xs, ys):
     return chart, draw_chart(chart.drop_vars(["boundary_x", "boundary_y"]), ax)
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("turned", [False, True])
 @pytest.mark.parametrize("spacing", [np.linspace, squares])
 def test_every_pixel_has_the_colour_of_its_cell(e1, spacing, turned):

@@ -157,6 +157,7 @@ def test_axes_are_made_only_where_none_are_given(wedge, monkeypatch):
     plt.close(new.figure)
 
 
+@pytest.mark.slow
 def test_arguments_go_to_the_image(wedge):
     """Whatever an image takes, before what is chosen here."""
     (image,) = drawn(wedge, alpha=0.5, zorder=-3, cmap="viridis").images

@@ -58,6 +58,7 @@ def test_a_title_is_as_wide_as_its_axes(width):
         assert part in text, part
 
 
+@pytest.mark.slow
 def test_a_field_of_too_many_terms_is_cut_and_says_so():
     """Not without a sign of it."""
     long = headings.field(" + ".join(f"a_{{{n}}} k_3^{{{n}}}" for n in range(60)))

@@ -71,6 +71,7 @@ def test_names_beside_marks_lie_over_nothing(field):
         assert np.linalg.norm(np.clip(place, *mark) - place) < 15 * ax.figure.dpi / 72
 
 
+@pytest.mark.slow
 def test_a_name_without_room_stands_in_the_legend():
     """Of a picture that is too small for names beside its marks."""
     scene = gs.assemble(gs.symmetric_gyrostat(), gs.axial_potential(FIELDS["4, more marks"]))

@@ -72,6 +72,7 @@ def test_hidden_is_faded_and_behind():
     assert back.get_zorder() < front.get_zorder()
 
 
+@pytest.mark.slow
 def test_axes_are_those_given_or_new():
     """Flat axes cannot hold a view of space; without Matplotlib the message has the pip command."""
     ax = space()

@@ -31,6 +31,7 @@ def floats(exact):
     return np.array([float(x) for x in exact])
 
 
+@pytest.mark.slow
 def test_on_the_momentum_sphere():
     """M of each rotation, on a sphere of another radius than 1."""
     scene = gs.assemble(gs.Gyrostat((1, 2, 3), ("1/20", "1/10", "1/5")))
@@ -40,7 +41,7 @@ def test_on_the_momentum_sphere():
     nearest(numbers, [floats(e.momentum) for e in found], 2.0)
 
 
-@pytest.mark.few(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("level", ["5/2", 4])
 def test_on_the_amended_potential(level):
     """k of each rotation on the level of C1."""
@@ -71,6 +72,7 @@ def test_on_the_effective_potential():
         assert np.cos(theta) == pytest.approx(float(found[n - 1].directions[0][2])), n
 
 
+@pytest.mark.slow
 def test_arcs_have_the_numbers_that_decide_prints(capsys):
     """Between the ends that it prints, on the arc."""
     ax = plotting.draw_staude_cone(gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 0)), SUM), {}, space())

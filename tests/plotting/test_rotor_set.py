@@ -9,7 +9,7 @@ from matplotlib.figure import Figure
 from sympy import Rational
 
 import gyrostat as gs
-from gyrostat.equilibria.continuation.rotor_planes import numbers_of_rotations_over
+from gyrostat.equilibria.curves.rotor_planes import numbers_of_rotations_over
 from gyrostat.errors import ScopeError, ValuesError
 from gyrostat.plotting import draw_rotor_set
 from gyrostat.plotting.looks import BLUE, DARK
@@ -41,7 +41,7 @@ def test_the_number_in_a_region_is_that_of_its_rotations(drawn):
         assert (int(text.get_text()), 0) == found.count((F(1), F(2), F(3)), rotor, F(1))
 
 
-@pytest.mark.few(1)
+@pytest.mark.slow
 def test_rotations_meet_on_the_curves(drawn):
     """Across a line of the plane, where a curve crosses it and nowhere else."""
     ax, free, held = drawn
@@ -94,6 +94,7 @@ def test_what_is_refused(scene, values, error, words):
         draw_rotor_set(scene, values, Figure().subplots())
 
 
+@pytest.mark.slow
 def test_a_tensor_is_drawn_along_its_principal_axes():
     """The same picture as of its moments; what is said of the axes diagonalises the tensor."""
     tensor = np.array([[2, 1, 0], [1, 3, 1], [0, 1, 5]])

@@ -39,6 +39,7 @@ def truth(kR, kY, rotor):
     return "undecided" if spectral else "unstable"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("rotor", [F(0), *(pytest.param(x, marks=pytest.mark.slow) for x in (
     F(1, 2), F(-3, 5)))])
 def test_the_colour_of_each_pixel(rotor):
@@ -49,6 +50,7 @@ def test_the_colour_of_each_pixel(rotor):
         assert colour == LOOKS[truth(kR, kY, rotor)][0], (kR, kY)
 
 
+@pytest.mark.slow
 def test_the_corners_of_the_region_of_debra_and_delp():
     """(0, 0), (−5/2 + √6, −1), and k_R = k_Y = −((3 − √5)/2)²; the curve between the last two."""
     ax, *_ = drawn()
@@ -65,6 +67,7 @@ def test_the_corners_of_the_region_of_debra_and_delp():
     assert not ((at[:, 0] < corner - 5e-3) & (at[:, 1] != at[:, 0])).any()     # (−1/3, 0) is none
 
 
+@pytest.mark.slow
 def test_bodies_are_marked_where_they_are():
     """The body (60, 32, 35) at (−1/20, −4/5); its number stands in the legend."""
     ax, *_ = drawn(bodies={"ours": (60, 32, 35), "other": ("1", "6/5", "1/2")})
@@ -73,6 +76,7 @@ def test_bodies_are_marked_where_they_are():
     assert [text.get_text() for text in ax.get_legend().get_texts()][-2:] == ["ours", "other"]
 
 
+@pytest.mark.slow
 def test_what_gyroscopic_forces_hold_is_lost_by_damping():
     """The legend says so."""
     ax, *_ = drawn("1/3")

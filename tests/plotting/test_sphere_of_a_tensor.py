@@ -1,5 +1,6 @@
 """The momentum sphere of a body whose tensor is given in any axes."""
 import numpy as np
+import pytest
 
 import gyrostat as gs
 from gyrostat.plotting.energy_levels import energies_between, level_curve
@@ -9,6 +10,7 @@ def rotations(body, radius):
     return gs.relative_equilibria(gs.assemble(body), {"M": radius})
 
 
+@pytest.mark.slow
 def test_polhodes_of_a_tensor_lie_on_sphere_and_level_in_its_axes():
     """As many pieces as in principal axes, which are irrational; the energy is that of its own tensor."""
     tensor = np.array([[62.1, 1.3, -0.8], [1.3, 58, 0.2], [-0.8, 0.2, 30]])

@@ -36,7 +36,7 @@ def test_there_are_three_hundred():
     assert len(every) >= 300 and len(set(every)) == len(every)
 
 
-@pytest.mark.few(30)
+@pytest.mark.few(16)
 @pytest.mark.parametrize(("moments", "book", "typed", "at"), rows("answered"))
 def test_a_scene_is_answered_as_its_author_means_it(moments, book, typed, at):
     """The same energy, and the same verdict."""
@@ -108,7 +108,7 @@ def test_a_free_body_in_other_letters(moments, rotor, axis, at):
     assert decision.verdict.name == ("STABLE" if one * other > 0 else "UNSTABLE")
 
 
-@pytest.mark.few(6)
+@pytest.mark.few(4)
 @pytest.mark.parametrize(("moments", "rotor", "rate", "at"), rows("orbit"))
 def test_a_satellite_in_other_letters(moments, rotor, rate, at):
     """By the dynamic potential 3/2 ω0² r·Ir − ω0²/2 n·In − ω0 l·n, differenced over turns of the body."""

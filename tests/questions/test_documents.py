@@ -14,7 +14,7 @@ SCENES = [case.table | {"values": case.values} for case in CASES.values() if cas
 
 
 @pytest.mark.parametrize("scene", SCENES, ids=str)
-@pytest.mark.few(4)
+@pytest.mark.few(2)
 def test_what_is_asked_and_what_is_shown_is_described(scene):
     """Of every kind of scene, whatever is wanted; a key too many is refused."""
     assert not faults("scene", scene) and faults("scene", scene | {"colour": "red"})

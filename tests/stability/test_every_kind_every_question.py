@@ -28,6 +28,7 @@ def case(request):
     return CASES[request.param]
 
 
+@pytest.mark.few(7)
 def test_the_scene_at_numbers_says_the_same(case):
     """Of a family at numbers, and of the point of the scene at these numbers."""
     here, family = both(gs.analyze(case.at_numbers), case.jets), both(case.report, case.values)
@@ -37,6 +38,7 @@ def test_the_scene_at_numbers_says_the_same(case):
         assert case is CASES["conical, a ball"] and here[0]["verdict"] == "STABLE" != family[0]["verdict"]
 
 
+@pytest.mark.few(16)
 def test_the_names_that_are_required_are_enough(case):
     """Exactly these, and no other: for the verdict, under damping, of the point itself."""
     report, jets = case.report, case.jets
@@ -48,6 +50,7 @@ def test_the_names_that_are_required_are_enough(case):
     assert said(itself) == said(report.itself(case.values)) or itself.reason.startswith("give ")
 
 
+@pytest.mark.few(39)
 @pytest.mark.parametrize("damped", [False, True])
 def test_arrays_need_the_same_names(case, damped):
     """Those without which there is no verdict are enough for arrays too, which then say what it says."""
@@ -60,6 +63,7 @@ def test_arrays_need_the_same_names(case, damped):
         assert "leave the sphere" in str(refused)
 
 
+@pytest.mark.few(10)
 def test_the_list_says_the_same(case):
     """Of the same equilibrium among all."""
     if case.level is None:
@@ -93,6 +97,7 @@ def test_a_continuation_says_the_same(case):
         assert Counter(p.verdict.name for p in followed) == Counter(e.decision.verdict.name for e in listed)
 
 
+@pytest.mark.few(19)
 def test_what_is_said_to_be_proved_is(case):
     """The conditions that are printed, evaluated anew."""
     report, decision = case.report, case.report.verdict(case.values)

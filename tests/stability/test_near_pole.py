@@ -25,6 +25,7 @@ def report(U, side=1):
     return gs.analyze((gs.upright if side == 1 else gs.hanging)(scene))
 
 
+@pytest.mark.few(2)
 @pytest.mark.parametrize("U, side", [
     ((1 - k3)**(5 * HALF), 1), ((1 + k3)**(3 * HALF) - k3**2, -1), ((1 - k3**2)**Rational(4, 3), 1),
     (acos(k3)**2, 1), (asin(k3)**3 * (1 - k3), 1), (acos(-k3)**3, -1), (exp(-(1 - k3)**(3 * HALF)), 1),
@@ -94,6 +95,7 @@ def test_motions_beside_it(U, spin, stable):
         assert far < 2 * start**0.5 if stable else far > 0.8, (U, start, far)
 
 
+@pytest.mark.slow
 def test_a_smooth_field_in_the_angle():
     """cos(θ/2)² is (1 + k3)/2, θ²/2 is 1 − k3 + (1 − k3)²/6 + …: the same conditions and ladder as theirs."""
     x = 1 - k3

@@ -79,7 +79,7 @@ def test_rising_in_any_direction(axis):
         assert report.verdict({}).verdict.name == report.verdict({}, damped=True).verdict.name == name
 
 
-@pytest.mark.few(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("damped", [False, True])
 @pytest.mark.parametrize("turning", [0, 1])
 def test_arrays(turning, damped):

@@ -13,7 +13,7 @@ import gyrostat as gs
 from gyrostat.stability.criteria.orientation_form import orientation_form
 
 
-@pytest.mark.few(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", range(6))
 def test_satellites(seed, full):
     """The sextic, the signature of K beside three positive squares, the verdict and the damped one."""
@@ -70,6 +70,7 @@ def test_two_constant_fields(seed):
         assert gs.analyze(eq).verdict({}, damped=True).growing in (minus, None)
 
 
+@pytest.mark.slow
 def test_textbook_conditions():
     """Lagrange's, with a pitch rotor; DeBra and Delp's body of frequencies 4/5 and 1/2."""
     body = gs.Gyrostat(gyrostatic_momentum=(0, gs.symbol("l"), 0))

@@ -51,6 +51,7 @@ def test_integrals_in_two_fields():
         gs.assemble(body, field, integrals=("(k1*e1 + k2*e2 + k3*e3 - 1)*pi1",))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", range(3))
 def test_a_magnet_acts_in_the_stiffness_as_a_rotor(seed):
     """The attitudes and K are those of the rotor B μ/ω0; g is that of no rotor."""

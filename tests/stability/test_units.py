@@ -142,6 +142,7 @@ def test_arcs_are_the_same_in_other_units_of_time_and_torque(powers):
     assert arcs(Units(*powers)) == arcs(Units())
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("powers", OTHERS, ids=str)
 @pytest.mark.parametrize("question", [upright, lists_of_a_top, heavy_bodies, windows, free_bodies, satellites,
                                       rates, precessions, two_directions, motions])

@@ -155,6 +155,7 @@ def count_wrong(reports, seed, cases):
             return wrong, seen
 
 
+@pytest.mark.slow
 def test_no_wrong_verdict_in_1_500_points(reports):
     """0 wrong on E1, E2, E3; a third on a boundary, a tenth of those with more coefficients 0.
 

@@ -154,6 +154,7 @@ def test_sizes_that_do_not_tell(top):
     assert near.decision.verdict is Verdict.UNSTABLE and near.agrees is None and abs(near.slope - 0.5) < 0.05
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("method", ["DOP853", "heyoka"])
 def test_too_slow_an_escape_is_not_waited_for(asymmetric_report, monkeypatch, method):
     """The growth is 3·10⁻⁵ of a turn: neither agreed nor denied, and the time it takes is named."""

@@ -39,6 +39,7 @@ def rows(step):
             "across": 65536 + (np.arange(n) - n // 2) * step}
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("name", SCENES)
 def test_a_row_is_its_times(monkeypatch, name):
     """States and attitudes, within some roundings; in the tiny motion relative to its size."""

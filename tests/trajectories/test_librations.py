@@ -36,6 +36,7 @@ def test_angles_of_a_matrix(angles, pointing):
     assert np.allclose(found, angles, atol=1e-9)
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("pointing", AXES)
 def test_what_is_let_go_has_those_angles(pointing):
     """At rest in the frame: π = ω0 In."""
@@ -47,6 +48,7 @@ def test_what_is_let_go_has_those_angles(pointing):
     assert np.allclose([float(x) for x in state[:3]], np.array([60, 70, 50]) * n / 3)
 
 
+@pytest.mark.slow
 def test_pitch_swings_at_its_frequency():
     """√(3 (I_roll − I_yaw)/I_pitch) ω0, theory A3; a small swing in pitch stays in pitch."""
     scene = gs.assemble(gs.Gyrostat((60, 70, 35), (0, 0, 0)), gs.circular_orbit(2))

@@ -70,6 +70,7 @@ def test_reduced_times_are_exact(t, period):
     assert abs(F(r[0])) <= period / 2 * (1 + F(1, 10**6))
 
 
+@pytest.mark.slow
 @some
 @given(n=st.integers(min_value=-2**49, max_value=2**49), delta=fractions, sign=st.sampled_from((1, -1)))
 def test_turns_of_a_whole_number_are_exact(n, delta, sign):

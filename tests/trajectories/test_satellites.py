@@ -80,6 +80,7 @@ def test_exact_digits_are_refused():
         gs.trajectories.motion(scene, (0, 70, 0, 0, 1, 0, 0, 0, 1), precision=30)
 
 
+@pytest.mark.slow
 def test_a_satellite_is_not_searched_for_an_axis_of_revolution(monkeypatch):
     """In two directions no body is one of revolution in U(k3): its numbers are not simplified to know it."""
     def refused(*_, **__):

@@ -49,6 +49,7 @@ def test_motion(vehicle, weight):
     assert "|k|" not in motion.note and "has to be" not in motion.note
 
 
+@pytest.mark.slow
 def test_a_vertical_that_is_no_unit_vector():
     """It is said, as of the directions of an orbit that are not at right angles."""
     motion = gs.trajectories.motion(scene_of(HULL, True), (0, 0, 0, 1, 0, 0, 0, 0, 2))

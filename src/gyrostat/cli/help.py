@@ -60,7 +60,7 @@ KINDS = {
         "all relative equilibria against a parameter",
         "Draws all relative equilibria against a parameter, with their verdicts and the points where "
         "they meet or change stability: k3 for a body of revolution in a field, M along the rotor or the "
-        "rate for a free gyrostat."),
+        "rate for a free gyrostat, n along the rotor for a satellite, with the number of its attitudes."),
     "rotor-set": (
         "where in a plane of the rotor the rotations of a free gyrostat meet",
         "Draws the bifurcation set of a free gyrostat in a plane of two components of its rotor, at a "

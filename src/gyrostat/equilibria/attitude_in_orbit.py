@@ -140,7 +140,7 @@ def _angles(rows: Rows, singular: bool) -> tuple[float | None, float, float | No
     if not singular:
         def found(precision: int) -> list[arb]:
             (a, _, _), (d, _, _), (g, h, i) = rows(precision)
-            return [_degrees(h, i), _degrees(-g, (h**2 + i**2).sqrt()), _degrees(d, a)]
+            return [_degrees(h, i), _degrees(-g, (h * h + i * i).sqrt()), _degrees(d, a)]
 
         roll, pitch, yaw = rounded(found)
         return roll, pitch, yaw, ""

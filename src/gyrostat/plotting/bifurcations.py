@@ -3,6 +3,7 @@
 Upwards is the tilt for a body in a field, and M along an axis, or ν, for a free gyrostat.
 """
 from collections.abc import Callable, Mapping
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -37,6 +38,7 @@ ROTATIONS = {"fold": "D", "pitchfork": "P", "umbilic": "X", "crossing": "x", "ci
              "circle at this value alone": "s", "sphere at this value alone": "*"}
 SHAPES = {**MEETINGS, **ROTATIONS, **CHANGES}
 MOMENTUM, RATE = (1, 1, 0), (0, 1, 0)                      # dimensions
+NUMBERS, WIDTH = 1.17, 0.03                                # of the numbers of attitudes: height, least width
 CLEARANCE = 0.11                                           # of the names, in k3
 
 
@@ -54,6 +56,10 @@ def draw_bifurcation_diagram(scene: System, name: str, ends: tuple[Any, Any], va
     For any other body in a field it draws k3 of the permanent rotations at omega. At a full mark the form is
     singular, or two frequencies meet.
 
+    For a satellite in a circular orbit it draws the attitudes in which it rests, by the component of the
+    normal n along the axis of the component of the rotor that is free, or along axis 3. Above stands how many
+    attitudes there are between two values at which this number changes.
+
     For a free gyrostat it draws the permanent rotations on a momentum sphere: M along an axis against the
     component of the rotor along this axis, or ν with ω = ν M against any other parameter. A mark stands where
     rotations meet; lines without a mark cross in the picture only.
@@ -63,7 +69,8 @@ def draw_bifurcation_diagram(scene: System, name: str, ends: tuple[Any, Any], va
     Parameters
     ----------
     scene : System
-        body of revolution in a U rational in k3, or any body without a field or in a U of degree 1 or 2
+        body of revolution in a U rational in k3, any body without a field or in a U of degree 1 or 2, or a
+        satellite in a circular orbit
     name : str
         what is free: "omega", or another one of these names
     ends : pair of numbers
@@ -101,9 +108,11 @@ def draw_bifurcation_diagram(scene: System, name: str, ends: tuple[Any, Any], va
     """
     found = continuation(scene, name, ends, values)
     ax, free, rotor = axes_of(ax), scene.kind is Kind.FREE, scene.body.gyrostatic_momentum
-    entry = rotor.index(symbol(name)) if free and symbol(name) in rotor else None
+    entry, orbit = rotor.index(symbol(name)) if symbol(name) in rotor else None, scene.kind is Kind.ORBIT
 
     def height(of: Piece | Mark) -> Any:
+        if orbit:
+            return np.array(of.n, float).T[2 if entry is None else entry]
         return of.k3 if not free else of.nu if entry is None else np.array(of.momentum).T[entry]
 
     for piece in found.pieces:
@@ -121,11 +130,14 @@ def draw_bifurcation_diagram(scene: System, name: str, ends: tuple[Any, Any], va
             ax.set_xlabel(with_dimension("$|M|$", MOMENTUM))
         said = of_scene(scene, values) if length else of_sphere(scene, values, values[LENGTH.name])
     else:
-        ax.set(ylim=(-1.3, 1.3), ylabel=label("k3"))
+        ax.set(ylim=(-1.3, 1.3), ylabel=label(f"n{3 if entry is None else entry + 1}" if orbit else "k3"))
         said = of_scene(scene, values)
+    if orbit:
+        _count(found, low, high, ax)
     if scene.kind is Kind.REVOLUTION:
         _name(found, high, ax)
-    what = "permanent rotations of a free gyrostat" if free else "relative equilibria"
+    what = ("permanent rotations of a free gyrostat" if free else
+            "attitudes of a satellite in orbit" if orbit else "relative equilibria")
     headed(ax, f"Bifurcation diagram of the {what} against {label(name)}", said, handles, 3, marks,
            "Stability changes at filled marks, and at open ones branches meet" if marks else "")
     return ax
@@ -156,6 +168,16 @@ def _verdicts(found: Continuation, kwargs: Mapping[str, Any]) -> list[Any]:
         if any(piece.verdict is verdict and len(piece.parameter) == 1 for piece in found.pieces):
             handles.append(named(marker(verdict), f"{E3.label} at this value alone, {verdict.name.lower()}"))
     return handles
+
+
+def _count(found: Continuation, low: float, high: float, ax: Any) -> None:
+    """Write how many attitudes there are above each part of the range that is wide enough."""
+    changes = {float(mark.value) for mark in found.marks if mark.numbers and len({*mark.numbers}) == 2}
+    for a, b in pairwise([low, *sorted(changes), high]):
+        middle = (a + b) / 2
+        if b - a > WIDTH * (high - low):
+            count = sum(piece.parameter[0] < middle < piece.parameter[-1] for piece in found.pieces)
+            ax.annotate(f"{count}", (middle, NUMBERS), ha="center", va="center")
 
 
 def _name(found: Continuation, high: float, ax: Any) -> None:

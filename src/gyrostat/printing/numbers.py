@@ -131,6 +131,12 @@ def rounded(value: Expr, rounding: str, digits: int = ALONE) -> Word:
     return with_digits(decimal, min(digits, len(decimal.as_tuple().digits)), rounding)
 
 
+def is_long(expression: Any) -> bool:
+    """Whether a number in an expression has more than 12 digits."""
+    return isinstance(expression, Expr) and any(
+        max(abs(int(x.p)), int(x.q)) >= 10**SHORT for x in expression.atoms(Rational))
+
+
 def long_decimal(value: Expr) -> Decimal:
     """Return a number to 30 digits, or to those of a Float."""
     if value.is_Float:

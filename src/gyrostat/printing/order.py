@@ -1,7 +1,7 @@
 """Orders terms, factors and the two sides of an inequality as they are written."""
 from typing import Any
 
-from sympy import Add, Expr, Integer, Mul, Pow, S
+from sympy import Add, Expr, Float, Integer, Mul, Pow, S
 
 from ..algebra.rings.readable import readable, term_order
 from ..stability.criteria.conditions import Condition
@@ -29,8 +29,10 @@ def inequality(condition: Condition) -> tuple[Expr, Expr]:
 
 
 def ordered_terms(expression: Add) -> list[Expr]:
-    """Order the terms of a sum as they are written, a positive one first."""
+    """Order the terms of a sum as they are written, a positive one first; with decimals by their degrees."""
     terms = sorted(expression.args, key=lambda t: (not t.free_symbols, term_order(t)))
+    if expression.has(Float):
+        terms.sort(key=lambda t: -sum(f.as_base_exp()[1] for f in Mul.make_args(t) if f.free_symbols))
     first = next((t for t in terms if not t.could_extract_minus_sign()), terms[0])
     return [first, *(t for t in terms if t is not first)]
 

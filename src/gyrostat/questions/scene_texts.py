@@ -96,7 +96,7 @@ def scene_of(asked: Asked) -> System:
 def table_of(asked: Asked) -> SceneTable:
     """The table of a body in a field."""
     table: dict[str, Any] = {name: getattr(asked, name) for name in (
-        "potential", "inertia", "products", "gyrostatic_momentum", "orbit")}
+        "potential", "inertia", "products", "gyrostatic_momentum", "orbit", "pointing")}
     if asked.rotors is not None:
         table |= {"rotors": list(asked.rotors), "lumped": asked.lumped is not False}
     return SceneTable({**{name: x for name, x in table.items() if x is not None},

@@ -26,9 +26,10 @@ def conditions(spectrum: Sequence[Any]) -> list[Any]:
         return [spectrum[1]]
     if len(spectrum) == 3:
         d, p, q = spectrum
-        return [p, p**2 - 4 * d * q]
-    d, a, b, c = spectrum
-    return [a, b, c, a**2 * b**2 - 4 * d * b**3 - 4 * a**3 * c + 18 * d * a * b * c - 27 * d**2 * c**2]
+        return [p, p * p - 4 * d * q]
+    d, a, b, c = spectrum                      # products: ** gives no finite power of a ball that contains 0
+    return [a, b, c, a * a * b * b - 4 * d * b * b * b - 4 * a * a * a * c + 18 * d * a * b * c
+            - 27 * d * d * c * c]
 
 
 def exact_rates(spectrum: Sequence[Expr], whole: int | None, signs: Signs) -> tuple[tuple[Expr, ...],
@@ -87,7 +88,7 @@ def squares(spectrum: Sequence[arb]) -> list[acb]:
         d, p, _ = spectrum
         return [acb(-p / (2 * d))] * 2
     d, a, b, c = spectrum
-    if (apart := a**2 - 3 * b * d).contains(0):
+    if (apart := a * a - 3 * b * d).contains(0):
         return [acb(-a / (3 * d))] * 3
     double = (9 * d * c - a * b) / (2 * apart)
     return [acb(x) for x in (double, double, -a / d - 2 * double)]

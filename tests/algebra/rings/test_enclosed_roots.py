@@ -30,6 +30,7 @@ def agree(f):
     return found
 
 
+@pytest.mark.few(9)
 @pytest.mark.parametrize("f", [
     x**3 - pi, x**3 * log(2) - 1, x**4 - cos(1), x**5 - pi * x + 1, (pi + 1) * x**3 - 4 * x + 1,
     -pi**2 * x**4 + x**3 + 3 * x**2 - pi, x**3 - sqrt(2) * pi * x**2 + 1, (x**2 - pi) * (x**3 - 2),
@@ -39,6 +40,7 @@ def test_all_real_roots(f):
     agree(f)
 
 
+@pytest.mark.slow
 def test_random_polynomials():
     rng = random.Random("pi")
     count = 0
@@ -66,6 +68,7 @@ def test_a_root_is_a_number():
     assert str(root.evalf(30)) == str((pi ** Rational(1, 3)).evalf(30))
 
 
+@pytest.mark.slow
 def test_zeros_that_are_spelt_otherwise():
     """√2 log 8 − 3 √2 log 2 = 0 and e − e = 0 are no coefficients; a double root is isolated by nobody."""
     two = sqrt(2) * log(8) - 3 * sqrt(2) * log(2)

@@ -25,6 +25,7 @@ def polynomial(parts):
     return total
 
 
+@pytest.mark.slow
 @given(terms, terms)
 def test_rewriting_keeps_the_value(top, bottom):
     """readable and split change the form of a fraction, never its value."""

@@ -23,6 +23,7 @@ def drawn(draw, degree):
             if a + b + c <= degree and (a + b + c - degree) % 2 == 0}
 
 
+@pytest.mark.few(2)
 @pytest.mark.parametrize("degrees", [(1, 2), (2, 2), (2, 3), (3, 3)])
 def test_the_same_zeros_as_by_the_quotient_algebra(degrees):
     draw = random.Random(sum(degrees))

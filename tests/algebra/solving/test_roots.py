@@ -126,6 +126,7 @@ def test_order():
         in_order([16 * atan(Rational(1, 5)) - 4 * atan(Rational(1, 239)), pi])
 
 
+@pytest.mark.few(2)
 @pytest.mark.parametrize("size", [Integer(1), 10**17 + sqrt(2), Integer(10)**300 * pi, Rational(1, 10**300)],
                          ids=["1", "10^17", "10^300", "10^-300"])
 def test_a_number_lies_between_two_of_any_size(size):

@@ -24,6 +24,7 @@ def test_fractions_on_either_side_are_within_a_step(t, step):
     assert increasing(low, t, high) and increasing(high - step, t, low + step)
 
 
+@pytest.mark.few(14)
 @pytest.mark.parametrize("gap", [Rational(5), Rational(1, 10**9), Rational(1, 10**400)], ids=str)
 @pytest.mark.parametrize("t", NUMBERS, ids=str)
 def test_what_lies_between_two_numbers(t, gap):

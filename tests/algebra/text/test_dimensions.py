@@ -65,6 +65,7 @@ OPTIONS = {"time": ("--until", "--step"), "torque": ("--energy",), "momentum": (
            "pure": ("--tolerance", "resolution"), "rate": ("--transverse", "--axial")}
 
 
+@pytest.mark.slow
 def test_every_place_takes_its_dimension_and_no_other():
     """Whatever spelling it has; what is no quantity of the place is said in at most 300 characters."""
     draw = random.Random(5)

@@ -56,6 +56,7 @@ def test_arithmetic_is_what_python_makes_of_it(text):
                                                     Fraction(expected).denominator)
 
 
+@pytest.mark.slow
 @given(st.text(max_size=60))
 @example("().__class__.__bases__[0]")
 @example("𝟙+1")

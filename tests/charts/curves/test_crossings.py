@@ -28,6 +28,7 @@ def pieces(vertices):
     return steps, gap.sum() + bool(len(vertices))
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("unknown", [0.0, 0.15])
 def test_the_lines_are_those_of_contourpy(unknown):
     """On random signs: crossings of two lines, closed lines, ends at the frame and at unknown points."""

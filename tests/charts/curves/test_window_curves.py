@@ -140,6 +140,7 @@ def test_no_crossing_is_left_out(charts, name, n):
     assert left <= 2                                       # beside where the two curves meet
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("name", "n", "most"), [("upright", 21, 12), *slow(
     ("upright", 61, 200), ("rotations", 41, 200), ("decreasing", 45, 200))])
 def test_each_rung_is_what_decided(charts, name, n, most):

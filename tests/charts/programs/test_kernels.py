@@ -16,6 +16,7 @@ from gyrostat.errors import MissingExtraError
 x, y, z, b = map(gs.symbol, ("x", "y", "z", "b"))
 
 
+@pytest.mark.slow
 def test_numba_is_numpy(tilted_margin, tiny_blocks):
     """E3 on grids of several kinds: the same bits, products and sums are not contracted."""
     for shapes in ([(), (), (), (23, 1), (), (29,)], [(), (1,), (3, 1, 1), (5, 1), (), (7,)]):

@@ -42,6 +42,7 @@ def test_neighbours_of_the_boundary(reports, backend):
     assert (found.min(0) != found.max(0)).mean() > 0.3
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("backend", BACKENDS)
 def test_cancelling_momenta(reports, backend):
     """π3 ≈ −l up to 10⁸ times their sum, where P² = 4 I1 U' is met or nearly; with π3 = I3 ω3 too."""

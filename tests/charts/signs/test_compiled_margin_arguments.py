@@ -67,6 +67,7 @@ def test_out_that_does_not_fit_is_refused(e1, out, said):
         compile_margin(e1.sufficient.alternatives[0][0])(out=out, **drawn(E1_NAMES, [(3, 1), (), (), (4,)]))
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("backend", BACKENDS)
 def test_single_precision(e1, backend):
     """float32 throughout, with numbers, gives float32, each operation rounded to it.

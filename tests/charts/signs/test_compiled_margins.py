@@ -164,6 +164,7 @@ def test_even_factors(backend, strict):
         assert np.array_equal(np.asarray(compiled(**given_arrays)), truth(Criterion("", groups), values))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("backend", BACKENDS)
 def test_a_condition_is_its_margin_a_criterion_a_truth(e1, backend):
     """Condition and Expr give values, Criterion gives booleans; all take the same names."""

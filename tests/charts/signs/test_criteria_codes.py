@@ -50,6 +50,7 @@ def exactly(sufficient, necessary, here):
     return OPEN if truth(necessary, compare, all, any) else UNSTABLE
 
 
+@pytest.mark.slow
 @given(sufficient=disjunctions, necessary=disjunctions)
 def test_codes_are_what_the_criteria_say(sufficient, necessary):
     """At every point, on the zeros of margins and of even factors, too."""
@@ -58,6 +59,7 @@ def test_codes_are_what_the_criteria_say(sufficient, necessary):
     assert found.tolist() == [[exactly(*pair, {x: Rational(u), y: Rational(v)}) for v in FEW] for u in FEW]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("sufficient", "necessary"), [
     ([[(x + y - 1, (x - y,)), (x * y + 2, ())]], [[(x**2 - y, ()), (x + y - 1, (x - y,))]]),
     ([[(x, ())], [(x - y, (y - 1,))]], [[(y - 3 * x, (x * y,))], [(x, ()), (x - y, ())]]),
@@ -69,6 +71,7 @@ def test_one_loop_says_the_same(sufficient, necessary):
     assert found.tolist() == [[exactly(*pair, {x: Rational(u), y: Rational(v)}) for v in FEW] for u in FEW]
 
 
+@pytest.mark.slow
 def test_doubles_decide_in_one_loop(monkeypatch):
     """Beside the zeros no sign of a single margin is asked; the second stage is done where it has to be."""
     pair = criterion(Notion.FORMAL, [[(x + y - 1, ())]]), criterion(Notion.SPECTRAL, [[(x**2 - y, ())]])
@@ -81,6 +84,7 @@ def test_doubles_decide_in_one_loop(monkeypatch):
     assert (codes_of(*pair, values, "numba") == expected).all()
 
 
+@pytest.mark.slow
 def test_a_number_that_is_not_finite_proves_nothing():
     """Its code is UNKNOWN by every way."""
     pair = criterion(Notion.FORMAL, [[(x + y - 1, ())]]), criterion(Notion.SPECTRAL, [[(x - y, ())]])
@@ -100,6 +104,7 @@ class Named:
         return {a: number((x - y) / (1 + x**2))}
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("backend", ["numpy", "numba"])
 def test_named_numbers_decide_like_what_they_name(backend):
     """With doubles, with fractions that are no doubles, and with numbers that are not rational."""

@@ -39,7 +39,7 @@ def columns(report, source):
     return given
 
 
-@pytest.mark.few(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("threads", [1, 3])
 @pytest.mark.parametrize("name", ["E1", "E2", "E3", "E1 degree 4", "E1 pole", "E3 pole", "E1 exp"])
 def test_a_list_is_decided_as_each_of_its_points(reports, monkeypatch, name, threads):
@@ -130,6 +130,7 @@ def test_a_constant_beyond_doubles():
     assert (verdicts(report, given, backend="numba") == verdicts(report, given)).all()
 
 
+@pytest.mark.slow
 def test_a_bound_that_never_suffices_changes_nothing(reports, monkeypatch):
     """With e = ∞ all points are left over."""
     given = columns(reports["E3"], np.random.default_rng(9))

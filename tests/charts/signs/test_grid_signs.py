@@ -162,6 +162,7 @@ def test_floats_decide_ordinary_grids(monkeypatch, backend):
     assert set(np.unique(signs_of((x + y) ** 2 - z, values, backend))) == {-1, 1}
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("backend", BACKENDS)
 def test_a_filter_that_never_suffices_changes_nothing(monkeypatch, backend):
     """With e = ∞ all points are decided exactly, the same."""

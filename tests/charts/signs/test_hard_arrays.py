@@ -23,6 +23,7 @@ def hard():
     return hard_cases, verdict_routes
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("backend", "seed"), [
     ("numpy", 1), *(pytest.param(backend, seed, marks=pytest.mark.slow)
                     for backend, seed in (("numpy", 2), ("numba", 1), ("numba", 2)))])

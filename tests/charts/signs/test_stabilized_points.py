@@ -21,6 +21,7 @@ def upright():
     return gs.analyze(gs.upright(gs.assemble(body, gs.general_potential(lambda *k: gs.symbol("m0") * k[2]))))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("report", "ranges", "fixed", "signs"), [
     (rotations, {"u1": (-2, 2), "u2": (-2, 2)}, {"omega": -1, "sigma": -2}, (1, -1)),
     (upright, {"m0": (0, 8), "pi3_0": (-20, 20)}, {"l": 1}, (1,))], ids=["any direction", "upright"])

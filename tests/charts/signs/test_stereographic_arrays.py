@@ -75,6 +75,7 @@ def test_on_a_boundary_the_sign_is_exact(report):
         assert found.tolist() == exact
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("backend", ["numpy", "numba"])
 @pytest.mark.parametrize("damped", [False, True])
 @pytest.mark.parametrize("n", [6, pytest.param(13, marks=pytest.mark.slow)])

@@ -204,6 +204,7 @@ def test_one_thread_at_a_time_computes_enclosures(reports, tiny_blocks, monkeypa
     assert locked and all(locked)
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("backend", BACKENDS)
 def test_the_filter_decides_ordinary_grids(reports, monkeypatch, backend):
     """No point of an ordinary grid needs balls or rationals, also with one outlier among the numbers."""

@@ -124,6 +124,7 @@ def test_a_store_without_checksums_is_refused(e1, store):
     assert contents(store) == before
 
 
+@pytest.mark.slow
 def test_chunks_are_on_the_disk_before_their_mark(e1, ten_blocks, tmp_path, monkeypatch):
     """Every file is flushed under its name or before it is moved.
 
@@ -145,6 +146,7 @@ def test_chunks_are_on_the_disk_before_their_mark(e1, ten_blocks, tmp_path, monk
         assert f"{path}/complete/c" in flushed[mark:]
 
 
+@pytest.mark.slow
 def test_a_full_disk(e1, ten_blocks, written, memory, tmp_path, monkeypatch):
     """One sentence; what was written is kept, and the call goes on from there."""
     write = power_cuts.Marks.write

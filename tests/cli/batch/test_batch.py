@@ -121,6 +121,7 @@ def test_progress_of_a_batch(capsys, monkeypatch, tmp_path):
     assert batch(capsys, monkeypatch, LINES[:3])[2] == ""
 
 
+@pytest.mark.slow
 def test_a_batch_streams():
     """A line is answered before the next one comes; a reader that stops early is no error."""
     command = [sys.executable, "-m", "gyrostat", "decide", *TOPS, "--batch", "-"]

@@ -39,6 +39,7 @@ def answering(monkeypatch):
 GOOD, BAD = b'{"pi3_0": 3}', b'{"pi3_0": 7}'
 
 
+@pytest.mark.slow
 def test_a_line_that_takes_too_long(capsys, monkeypatch, answering):
     """It is ended in compiled code too, and named; every other line is answered, in order; exit status 2."""
     answering(lambda: ctypes.PyDLL(None).sleep(60))    # no Python until it returns

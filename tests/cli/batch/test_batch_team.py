@@ -37,6 +37,7 @@ def acting(monkeypatch):
     return patch
 
 
+@pytest.mark.slow
 def test_several_processes_write_what_one_writes(monkeypatch, capsys):
     """Byte for byte, blank and bad lines included."""
     lines = [b'{"pi3_0": "%d/7"}' % n if n % 5 else b"bad" if n % 2 else b"" for n in range(60)]
@@ -66,6 +67,7 @@ def test_all_of_them_work(monkeypatch, capsys, acting, count):
     assert min(map(of_process.count, of_process)) >= LEAST
 
 
+@pytest.mark.slow
 def test_a_line_that_hangs_or_kills_stops_no_other(monkeypatch, capsys, acting):
     """It is named; lines after it in its share go to a new process, those of others wait for nobody."""
     def act(number):
@@ -103,6 +105,7 @@ def test_a_number_of_processes_that_cannot_be(monkeypatch, capsys, count):
     assert (status, out) == (2, "") and f"--processes is {count}" in err
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="a new process inherits what is open")
 def test_a_process_ends_with_the_one_that_asks():
     """Even if that one is killed: nobody else holds its end of the connection."""

@@ -26,6 +26,7 @@ values = { Hx = "1 N m s" }
 """
 
 
+@pytest.mark.few(4)
 @pytest.mark.skipif(not PAGE.exists(), reason="the page is not part of an installed copy")
 @pytest.mark.parametrize("command", COMMANDS)
 def test_a_command_of_the_page(capsys, tmp_path, monkeypatch, command):
@@ -113,6 +114,7 @@ def test_wheels_on_the_command_line_are_those_of_a_file(capsys, tmp_path):
     assert with_wheel[0] == 0 and with_wheel[1] != outs[0]
 
 
+@pytest.mark.slow
 def test_products_of_inertia_on_the_command_line(capsys):
     """Positive integrals are the tensor with the other signs."""
     other = TENSOR.replace("1.3,", "-1.3,").replace("-0.8", "0.8").replace("0.6", "-0.6")

@@ -67,6 +67,7 @@ def test_printed_with_the_scene(capsys):
     assert "An integral was given, with {F, h} = 0 if C₁ = 0:" in out
 
 
+@pytest.mark.slow
 def test_monitored_and_refused(capsys):
     """A motion takes it; what is no integral is refused in one line."""
     state = ["--state", "1,1/2,2,0,3/5,4/5", "--until", "1", "--count", "2"]

@@ -30,6 +30,7 @@ def test_a_lever_is_not_the_rotor(capsys):
     assert verdicts(capsys, "--potential", "M*g*L*k3", "--set", "L=1", "l=0", *asked) == ["UNSTABLE"]
 
 
+@pytest.mark.few(2)
 @pytest.mark.parametrize("letter", ["C1", "M", "h", "C", "p", "t1", "D4", "U"])
 def test_a_letter_of_the_print_is_the_users(capsys, tmp_path, letter):
     """Options, a file, a batch and Python take it for the parameter, as they take c."""

@@ -11,7 +11,7 @@ from gyrostat.cli.parser import main
 CONES = ["cones", "--set=I1=2", "--set=I3=1", "--transverse", "1", "--axial", "2"]
 
 
-@pytest.mark.few(5)                                    # each size, and each kind
+@pytest.mark.slow
 @pytest.mark.parametrize(("size", "across"), [
     ([], 1020), (["--width", "86mm"], 1016), (["--width", "2", "--dpi", "100"], 200),
     (["--width", "17 cm", "--dpi", "72"], 482)])
@@ -24,6 +24,7 @@ def test_a_picture_is_as_wide_as_asked(tmp_path, kind, size, across):
         assert across - 1 <= image.width <= across and image.format == {"png": "PNG", "jpg": "JPEG"}[kind]
 
 
+@pytest.mark.slow
 def test_vectors_are_as_wide_as_asked(tmp_path):
     """In points, 72 an inch."""
     for kind, pattern in (("svg", r'<svg[^>]* width="([\d.]+)pt"'), ("pdf", r"/MediaBox \[ *0 0 ([\d.]+) ")):
@@ -33,6 +34,7 @@ def test_vectors_are_as_wide_as_asked(tmp_path):
         assert float(points) == pytest.approx(360)
 
 
+@pytest.mark.slow
 def test_format_without_title(tmp_path, monkeypatch):
     """A file without a suffix is of the kind asked for, and the title is not on it."""
     texts = {}
@@ -46,6 +48,7 @@ def test_format_without_title(tmp_path, monkeypatch):
     assert texts["--format=svg"].count("<text") > texts["--no-title"].count("<text") > 4
 
 
+@pytest.mark.slow
 def test_a_chart_has_the_width_and_no_title(tmp_path, monkeypatch):
     """The options of pictures hold for charts, too; more dots than a picture may have are refused."""
     asked = ["chart", "--potential", "m0*k3", "--equilibrium", "E1", "--x", "pi3_0=-4:4:5", "--y", "l=-2:2:4",

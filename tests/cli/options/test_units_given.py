@@ -27,6 +27,7 @@ def bare(arguments):
     return arguments
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize(("verb", "arguments", "said"), [
     ("motion", BOX, ["29.34434865546477 s\n", "27.27583751781326 rad in a period\n"]),
     ("conditions", TOP, ["\n  l is in kg m² s⁻¹.\n"]), ("decide", ARCS, ["\n  ω is in rad/s.\n"])])

@@ -2,6 +2,7 @@
 import json
 
 from commands import run
+from sympy import Matrix, cancel, symbols, sympify
 
 SHEET = ("--orbit", "height=500 km", "--inertia", "[[62.1,1.3,0],[1.3,71.4,0],[0,0,38.2]] kg m^2")
 WHEEL = ("--wheel", "axis=0,1,0 inertia=0.02 kg m^2 speed=s", "--solve-for", "s")
@@ -32,3 +33,23 @@ def test_the_speed_of_a_wheel_as_latex_and_data(capsys):
     _, out, _ = run(capsys, *SHEET, *WHEEL, "--pointing", "1,3,2", "--format", "json", verb="conditions")
     (found,) = json.loads(out)["equilibria"]
     assert found["turn"] == "atan(26/93)/2" and found["only"] == "0"
+
+
+def test_a_tensor_with_products_has_conditions_with_the_momentum_that_holds_it(capsys):
+    """In names, against K of the tensor; without that momentum the refusal says in short what to do."""
+    tensor = ("--orbit", "1", "--inertia", "[[I1,I12,0],[I12,I2,I23],[0,I23,I3]]")
+    _, out, _ = run(capsys, *tensor, "--gyrostatic-momentum", "held", "--format", "json", verb="conditions")
+    (found, _) = json.loads(out)["equilibria"]
+    margins = [sympify(c["margin"]) for c in found["damped"]["any_of"][0]["all_of"]]
+    I1, I2, I3, u, v, l = symbols("I1 I2 I3 I12 I23 l")
+    K = Matrix([[4 * (I2 - I3) + l, -3 * u, 0], [-3 * u, 3 * (I1 - I3), 3 * v], [0, 3 * v, I2 - I1 + l]])
+    for margin, minor in zip(margins, (K[0, 0], K[:2, :2].det(), K.det()), strict=True):
+        ratio = cancel(minor / margin)
+        assert ratio.is_number and ratio > 0
+    for inertia, why in (("[[3,1,0],[1,4,0],[0,0,2]]", "give the momentum held"),
+                         ("[[3,1/7,1/3],[1/7,4,1/9],[1/3,1/9,2]]", "turn the body about the normal")):
+        sheet = ("--orbit", "height=500 km", "--inertia", f"{inertia} kg m^2")
+        status, out, err = run(capsys, *sheet, verb="conditions")
+        assert status == 2 and not out and why in err and len(" ".join(err.split())) <= 310
+    status, _, err = run(capsys, "--potential", "k3", "--gyrostatic-momentum", "held", verb="conditions")
+    assert status == 2 and "in no orbit" in err

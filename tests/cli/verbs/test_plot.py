@@ -54,6 +54,11 @@ def branches(heavy):
     return plotting.draw_bifurcation_diagram(heavy, "omega", ("-1/2", 3), BODY, flat())
 
 
+def in_orbit(heavy):
+    scene = gs.assemble(gs.Gyrostat((1, "5/4", "8/5"), (0, gs.symbol("l2"), 0)), gs.circular_orbit(1))
+    return plotting.draw_bifurcation_diagram(scene, "l2", (1, 2), {}, flat())
+
+
 def spun_up(heavy):
     scene = gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, gs.symbol("l"))))
     return plotting.draw_bifurcation_diagram(scene, "l", ("0", 1), {"M": 1}, flat())
@@ -117,6 +122,8 @@ def contents(figure):
     (["bifurcations", *HEAVY, "--x", "omega=-1/2:3"], branches),
     pytest.param(["bifurcations", "--potential", "none", *sets("I1=1 I2=2 I3=3 M=1"), "--x", "l=0:1"],
                  spun_up, marks=pytest.mark.slow),
+    (["bifurcations", "--orbit", "1", "--inertia", "1,5/4,8/5", "--gyrostatic-momentum", "0,l2,0",
+      "--x", "l2=1:2"], in_orbit),
     (["rotor-set", *sets("I1=1 I2=2 I3=3 l2=0"), "--momentum", "1"], rotors),
     (["staude-cone", "--potential", "k1+k2+k3", *sets("I1=1 I2=2 I3=3 l=0")], staude),
     (["staude-plane", "--potential", "k3", *sets("I1=1 I2=2 I3=3 l=1/2"), "--x", "omega=-3:3"], staude_plane),

@@ -56,6 +56,7 @@ def test_verify_text(capsys):
     assert "printed:   (I2 - I3)*omega1*omega2" in out and "right:     (I2 - I3)*omega2*omega3" in out
 
 
+@pytest.mark.slow
 def test_verify_json(capsys, checked_once):
     """The documented keys; a misprint has its counterexample."""
     _, out, _ = verify(capsys, "AR", "--format", "json")
@@ -72,6 +73,7 @@ def test_verify_json(capsys, checked_once):
     assert wrong["derived"] == "dot(vector_pi, vector_omega)" and wrong["difference"][0]["entry"] is None
 
 
+@pytest.mark.slow
 def test_verify_latex(capsys, tmp_path, checked_once):
     """A table of errata, of misprints only, as a document or a fragment; --full adds what is confirmed."""
     (path := tmp_path / "mine.toml").write_text(OWN)

@@ -100,6 +100,7 @@ def test_what_is_refused():
         gs.continuation(PLANE, "l3", (0, 1), {"omega": 1, "l3": 1})
 
 
+@pytest.mark.slow
 def test_two_changes_closer_than_nodes():
     """Gyroscopic forces hold a rotation over 0.0064 of m, where frequencies meet to where det = 0."""
     scene = gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 0)), gs.general_potential(k1 / 2 + gs.symbol("m") * k3))
@@ -115,6 +116,7 @@ def test_two_changes_closer_than_nodes():
         assert sorted(p.verdict.name for p in followed) == sorted(e.decision.verdict.name for e in listed)
 
 
+@pytest.mark.slow
 def test_a_change_of_rotations_on_either_side_of_a_plane():
     """Those with a part along an axis without force and rotor, at 2 omega⁴ = 3."""
     scene = gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 0)), gs.general_potential(k3))

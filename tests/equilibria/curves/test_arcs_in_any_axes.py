@@ -37,6 +37,7 @@ def both(inertia, c, rotor):
     return arcs_of(inertia, c, rotor), arcs_of(tensor, turned(c), turned(rotor))
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("kind", [*DEFAULT, *(pytest.param(kind, marks=pytest.mark.slow)
                                               for kind in KINDS if kind not in DEFAULT)])
 def test_a_turned_body_has_the_same_arcs(kind):

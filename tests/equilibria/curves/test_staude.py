@@ -139,6 +139,7 @@ def test_boundaries_between_minimum_and_saddle_are_extrema_of_c1():
                 assert (abs(value) < 1e-20) == (len(kinds) == 2), (inertia, after.low, kinds)
 
 
+@pytest.mark.slow
 def test_the_verdict_does_not_change_where_d4_changes_its_sign():
     """Between resonances, and where D4 is 0: other pieces, the same verdict."""
     arc = cone_of((1, 2, 3), (1, 1, 1)).arcs({})[2]

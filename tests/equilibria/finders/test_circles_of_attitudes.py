@@ -7,7 +7,7 @@ import pytest
 from attitude_search import landings, torque
 from mpmath import mp
 from satellites import rotation
-from torques_on_satellites import ONE, Satellite, turned
+from torques_on_satellites import ONE, Satellite, in_axes, turned
 
 WEIGHTS = {"t": 0, "n": -1, "r": 3}                    # V = ½ Σ weight a·Ia + v·e
 
@@ -28,11 +28,6 @@ def draw(rng, kind):
     if kind == "ball":
         return (A, A, A), up(some()), {}, {}
     return (A, A, C), up(some() / 3), {"n": up(some() / 4)}, {}
-
-
-def in_axes(turn, vector):
-    """The components of a vector in the axes whose rows are turned back."""
-    return [sum(x * y for x, y in zip(column, vector)) for column in zip(*turn)]
 
 
 def matrices(equilibria):

@@ -42,6 +42,7 @@ def is_held(moments, rotor, size, rotation):
     return (rotation.decision.verdict is gs.Verdict.UNSTABLE) == (grows > mp.mpf(10)**-15)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("cases", [10, pytest.param(10_000, marks=SLOW)])
 def test_random_gyrostats(cases, full):
     """As many as Sturm's theorem counts, where Newton's method finds them, each decided as its spectrum says.

@@ -108,6 +108,7 @@ def rises(moments, rotor, c, Q, omega, k):
     return found
 
 
+@pytest.mark.few(2)
 @pytest.mark.parametrize("kind", KINDS)
 def test_found_and_rightly_decided(kind):
     assert check(random.Random(f"one {kind}"), kind)["decided"] >= 1

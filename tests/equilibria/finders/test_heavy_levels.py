@@ -83,6 +83,7 @@ def test_in_a_plane_of_symmetry_and_off_it():
     assert sum(-1 if "saddle" in why else 1 for why in kinds) == 2
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("U", "slope", "least"), [
     ("k1 + 2*k2", lambda k: np.array([1.0, 2, 0]), 2),
     ("k1^3 + k3", lambda k: np.array([3 * k[0]**2, 0, 1]), 6)], ids=["linear", "cubic"])

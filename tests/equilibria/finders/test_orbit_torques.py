@@ -5,14 +5,17 @@ from random import Random
 
 import numpy as np
 import pytest
-from attitude_search import search
+from attitude_search import growth, search
+from flint import arb
 from satellites import rotation
 from slow import sampled
 from sympy import pi
-from torques_on_satellites import ONE, TURN, Satellite, in_turned_axes, turned
+from torques_on_satellites import ONE, TURN, Satellite, in_axes, turned
 
 import gyrostat as gs
+from gyrostat.algebra.enclosures.precision import own_precision
 from gyrostat.equilibria.finders.orbit_torques import attitude_forms
+from gyrostat.equilibria.finders.orbital_form import balls
 from gyrostat.equilibria.relative_equilibrium import RelativeEquilibrium
 
 
@@ -22,7 +25,10 @@ def places(equilibria):
 
 
 def check(satellite, seed):
-    """Newton's method finds no other, K has the index that is found, and minima − saddles … are 0."""
+    """Newton's method finds no other, K has the index that is found, and minima − saddles … are 0.
+
+    A verdict is UNSTABLE where an eigenvalue of the motion has a positive real part.
+    """
     equilibria = satellite.found()
     here = places(equilibria)
     for attitude, bend in search(satellite.matrix, satellite.vector, seed=seed):
@@ -32,6 +38,8 @@ def check(satellite, seed):
         e = equilibria[apart.argmin()]
         if np.abs(signs).min() > 1e-6:
             assert e.form.index == sum(signs < 0)
+            grows = growth(satellite.own, satellite.rotor, attitude[1], -(bend + bend.T) / 2)
+            assert (e.decision.verdict is gs.Verdict.UNSTABLE) == (grows > 1e-6)
     assert sum((-1) ** e.form.index for e in equilibria) == 0
     assert len({tuple(np.round(p, 7)) for p in here}) == len(here)
     for e in equilibria:
@@ -71,28 +79,41 @@ def test_none_is_missing(kind, full):
         check(some(rng, kind), seed)
 
 
-def test_axes_are_turned_with_the_body():
+@pytest.mark.few(1)
+@pytest.mark.parametrize("seed", range(3))
+@pytest.mark.parametrize("kind", ["drag", "rotor"])
+def test_axes_are_turned_with_the_body(kind, seed):
     """In axes turned by a rational rotation the same attitudes, turned, with the same verdicts and rates."""
-    moments, drag, rotor = [F(1), F(5, 4), F(8, 5)], [F(1, 10), F(1, 7), 0], [F(3, 10), 0, F(1, 10)]
-    tensor = turned(moments, TURN)
-    own = Satellite(turned(moments, ONE), rotor, {"t": drag}).found()
-    other = Satellite(tensor, in_turned_axes(rotor), {"t": in_turned_axes(drag)}).found()
-    back = np.array(TURN, float)
-    place = places(other).reshape(-1, 2, 3) @ back.T
+    moments, drag, rotor = [F(1), F(5, 4), F(8, 5)], [F(1, 10), F(1, 7), 0], [F(3, 10), F(1, 20), F(1, 10)]
+    turn, torques = rotation(Random(seed)), {"t": drag} if kind == "drag" else {}
+    own = Satellite(turned(moments, ONE), rotor, torques).found()
+    other = Satellite(turned(moments, turn), in_axes(turn, rotor),
+                      {a: in_axes(turn, v) for a, v in torques.items()}).found()
     assert len(own) == len(other)
-    for e, here in zip(own, places(own).reshape(-1, 2, 3)):
-        apart = np.abs(place - here).max((1, 2))
-        same = other[apart.argmin()]
-        assert apart.min() < 1e-12
-        assert (e.decision, e.damped) == (same.decision, same.damped)
-        assert e.doubles.frequencies == pytest.approx(same.doubles.frequencies, rel=1e-13)
+    left = [(e, sum(enclosed(e), [])) for e in other]
+    with own_precision(300):
+        columns = [*zip(*([arb(x.numerator) / x.denominator for x in row] for row in turn))]
+        for e in own:
+            here = [sum(a * b for a, b in zip(row, vector)) for vector in enclosed(e) for row in columns]
+            (n,) = (n for n, (_, there) in enumerate(left)
+                    if all((x - y).contains(0) for x, y in zip(here, there)))
+            same, _ = left.pop(n)
+            assert (e.decision, e.damped) == (same.decision, same.damped)
+            assert e.doubles.frequencies == same.doubles.frequencies
+
+
+def enclosed(e):
+    """(n, r) in balls of a few times 10⁻²⁵ at most."""
+    found = [balls(vector, 300) for vector in (e.form.n, e.form.r)]
+    assert max(float(x.rad()) for vector in found for x in vector) < 1e-25
+    return found
 
 
 def test_a_tensor_is_answered_as_its_principal_axes_are():
     """The gravity gradient alone, a rotor in general position: as of the body in principal axes."""
     moments, rotor = [F(1), F(5, 4), F(8, 5)], [F(1, 50), F(3, 100), F(1, 25)]
     own = Satellite(turned(moments, ONE), rotor).found()
-    other = Satellite(turned(moments, TURN), in_turned_axes(rotor)).found()
+    other = Satellite(turned(moments, TURN), in_axes(TURN, rotor)).found()
     place = places(other).reshape(-1, 2, 3) @ np.array(TURN, float).T
     assert len(own) == len(other) == 24
     for e, here in zip(own, places(own).reshape(-1, 2, 3)):
@@ -140,6 +161,23 @@ def test_a_body_of_revolution_with_drag_off_its_axis():
     tensor = turned([F(3, 2), F(3, 2), F(2)], ONE)
     equilibria = check(Satellite(tensor, (0, 0, F(1, 5)), {"t": (F(1, 3), F(1, 4), F(1, 5))}), 0)
     assert not any(e.locus for e in equilibria)
+
+
+@pytest.mark.few(1)
+@pytest.mark.parametrize("c", [F(6, 7), F(-6, 7)])
+def test_rates_where_a_coefficient_of_the_spectrum_vanishes(c):
+    """Of the sextic that of λ²: K_roll = K_yaw, and K_pitch is minus what the other parts give."""
+    t, n, r, A = F(1, 7), F(5, 7), F(9, 7), F(-10, 7)
+    forms = {("r", "r"): turned([0, 0, 2 * A], ONE)}
+    e = next(e for e in Satellite(turned([t, n, r], ONE), linear={"n": (0, c, 0)}, forms=forms).found()
+             if e.doubles.place["n2"] == e.doubles.place["r3"] == 1)
+    K = [4 * (n - r) - c - 2 * A, 3 * (t - r) - 2 * A, n - t - c]
+    assert n * K[0] * K[2] + K[1] * (t * K[2] + r * K[0] + (t + r - n)**2) == 0
+    roots = np.roots([float(x) for x in (n * t * r, K[1] * t * r + n * (t * K[2] + r * K[0] + (t + r - n)**2),
+                                         0, K[0] * K[1] * K[2])])
+    slow = sorted(np.sqrt(-x.real) for x in roots if abs(x.imag) < 1e-12 and x.real < 0)
+    assert e.doubles.frequencies == pytest.approx(slow, rel=1e-12)
+    assert e.doubles.growth_rate == pytest.approx(np.sqrt(roots.astype(complex)).real.max(), rel=1e-12)
 
 
 @pytest.mark.parametrize(("inertia", "rotor", "potential", "what"), [

@@ -70,6 +70,7 @@ def test_a_full_tensor():
         assert near.decision.verdict is rotation.decision.verdict
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("unit", [pi, sqrt(2)], ids=str)
 @pytest.mark.parametrize("U, asked", [(k2**3 + k3, "omega"), (k1 + k2**2 - k3, "C1")])
 def test_numbers_with_one_factor(U, asked, unit):

@@ -56,6 +56,14 @@ def test_more_or_less_than_one_rate_is_refused(orbit):
     assert len(str(refused.value)) <= 300
 
 
+@pytest.mark.parametrize("potential", ["f*v1", "f*k1", "f"])
+def test_what_acts_beside_the_gravity_gradient_is_along_directions_of_the_orbit(potential):
+    """A refusal says in which names a torque is written."""
+    with pytest.raises(PotentialError, match="r3, the vertical, and t1, t2, t3, along") as refused:
+        gs.circular_orbit(1, potential=potential)
+    assert len(str(refused.value)) <= 300
+
+
 @pytest.mark.parametrize(("text", "table"), [
     ("height=500 km", {"height": "500 km"}),
     ("height=100 km body=moon", {"height": "100 km", "body": "moon"}),

@@ -36,7 +36,7 @@ def of_table(kind, A, C, w, height, l):
     return -3 * w * w * (C - A), (4 * A - 3 * C) * w * w * (1 - height**2), P - 2 * A * w * height
 
 
-@pytest.mark.few(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", KINDS)
 def test_the_table(kind, full):
     """λ⁴ + p λ² + q with p = (h1 + h2)/A + G²/A², q = h1 h2/A²; stable iff h1, h2 > 0, else by the axis.

@@ -55,6 +55,7 @@ def test_jacobi_and_leibniz(space, data):
     assert expand(space.bracket(f, g * h) - g * space.bracket(f, h) - space.bracket(f, g) * h) == 0
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("space", [E3, SO3])
 @given(data=st.data())
 def test_casimirs_commute_with_everything(space, data):

@@ -21,6 +21,7 @@ def rational(values):
     return [Rational(Fraction(v).numerator, Fraction(v).denominator) for v in values]
 
 
+@pytest.mark.slow
 @given(x=SIX, inertia=st.tuples(*[moments] * 3), rotor=THREE, g=THREE, s=SIX)
 @settings(max_examples=8)
 def test_field_is_euler_poisson(x, inertia, rotor, g, s):

@@ -11,6 +11,7 @@ import gyrostat as gs
 from gyrostat.errors import BodyError, EquilibriumError, ScopeError
 
 
+@pytest.mark.few(2)
 @pytest.mark.parametrize("seed", range(4))
 @pytest.mark.parametrize("weight", [True, False])
 def test_equations_of_motion(seed, weight):

@@ -31,6 +31,7 @@ def prose():
                 yield node.value
 
 
+@pytest.mark.slow
 def test_every_text_of_the_library_has_its_latex():
     """In ASCII, dollar signs in pairs, and no sign by its name in sentences, which have blanks."""
     texts = [text for text in prose() if not text.isascii() and re.search(r"[a-z]{2,} [a-z]{2,}", text)]

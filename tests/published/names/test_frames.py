@@ -40,13 +40,14 @@ SAID = [
     (VEHICLE, "dt(vector_p)", "cross(vector_omega, vector_p)", "identity", "misprint")]
 
 
-@pytest.mark.few(5)
+@pytest.mark.few(1)
 @pytest.mark.parametrize(("scene", "quantity", "printed", "kind", "expected"), SAID)
 def test_what_is_said_of_two_directions(tmp_path, scene, quantity, printed, kind, expected):
     """Confirmed, or refuted from the equations of motion."""
     assert status(tmp_path, scene, quantity, printed, kind) == expected
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize(("printed", "expected"), [("24", "confirmed"), ("20", "misprint")])
 def test_a_count_is_searched_for(tmp_path, printed, expected):
     """What is counted is what a search ends at."""
@@ -61,6 +62,7 @@ def test_a_count_under_other_torques_is_searched_for(tmp_path, printed, expected
                   at='{ l = "1/10", a = "1/20", B = "1/4", c = "1/8" }') == expected
 
 
+@pytest.mark.slow
 def test_a_curve_of_equilibria_has_no_count():
     """At l² = 4 ω0² (I1 − I2) (I3 − I2) the printed count fails: the equilibria are not isolated."""
     outcome = outcome_of(BY_KEY["satellites", "one-axis-degenerate"])

@@ -38,6 +38,7 @@ def test_a_hanging_point_is_stable(tmp_path):
     assert found.status == "misprint" and "the point alone" in found.outcome.counterexample.confirmation
 
 
+@pytest.mark.few(2)
 @pytest.mark.parametrize(("quantity", "printed", "expected"), [
     ("I1*I2*q*I3", "amended_determinant*I3", "confirmed"), ("I1*I2*q", "amended_trace", "misprint"),
     ("amended_trace", "2*(w*(w*I3 + l3) - c3) - w**2*(I1 + I2) + (c1/w)**2/I3", "confirmed"),

@@ -68,7 +68,7 @@ def test_a_condition_is_necessary_without_windows(tmp_path):
     assert "only if equality is allowed" in found.outcome.derived
 
 
-@pytest.mark.few(6)
+@pytest.mark.few(3)
 @pytest.mark.parametrize(("quantity", "printed", "kind", "expected"), [
     ("D4", "691181/6156000", "identity", "confirmed"), ("D4", "691182/6156000", "identity", "misprint"),
     ("D6", "-0.251501038061", "number", "confirmed"), ("D6", "-0.251501038062", "number", "misprint"),

@@ -19,6 +19,7 @@ def test_arcs_as_text(capsys):
     assert "to k = (0, 0, 1), where ω =" in out and "every ω: stable" in out
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("field", ["k3", "2*k1 - k3",
                                    pytest.param("-k1 + k2 - 3*k3", marks=pytest.mark.slow)])
 def test_what_is_not_proved_of_single_rates_is_said(capsys, field):
@@ -31,6 +32,7 @@ def test_what_is_not_proved_of_single_rates_is_said(capsys, field):
     assert [*map(bool, said)] == by_d4 and any(by_d4) and not all(by_d4)
 
 
+@pytest.mark.slow
 def test_it_is_said_where_an_arc_is_split(capsys):
     """With a rotor at resonances only, without one at the zeros of D4 too; the words used are explained."""
     for rotor, split in (("0,3/8,-1", "the two frequencies. The pieces"),

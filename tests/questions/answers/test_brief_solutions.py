@@ -16,6 +16,7 @@ def solved(capsys, *arguments):
     return run(capsys, *arguments, "--solve-for", "l", verb="conditions")[1]
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("arguments", ASKED, ids=" ".join)
 def test_at_most_25_lines(capsys, monkeypatch, arguments):
     """In 80 columns; what is shown stands in full too, what is not is counted."""

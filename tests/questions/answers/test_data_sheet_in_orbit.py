@@ -2,6 +2,7 @@
 import math
 
 import numpy as np
+import pytest
 
 from gyrostat.questions.answers.answers import answers_at
 from gyrostat.questions.scene_texts import Asked
@@ -10,6 +11,7 @@ TENSOR = "[[62.1, 1.3, -0.8], [1.3, 71.4, 0.6], [-0.8, 0.6, 38.2]] kg m^2"
 WHEELS = ("axis=0,1,0 inertia=0.02 kg m^2 speed=3000 rpm", "axis=0,0,1 inertia=0.02 kg m^2 speed=-500 rpm")
 
 
+@pytest.mark.slow
 def test_each_attitude_satisfies_the_equations_of_the_sheet():
     """t·Ir = 0, t·(ω0 In + l) = 0, r·(4 ω0 In + l) = 0 with l = (0, 2π, −π/3)"""
     inertia = np.array([[62.1, 1.3, -0.8], [1.3, 71.4, 0.6], [-0.8, 0.6, 38.2]])

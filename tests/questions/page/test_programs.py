@@ -90,6 +90,7 @@ def test_the_boundary_is_where_the_verdict_changes(number):
     assert changes
 
 
+@pytest.mark.slow
 def test_what_is_not_drawn_is_said():
     """Numbers bound to each other, an axis that nothing depends on, a number beyond doubles."""
     assert "bound to each other" in asked("charted", EXAMPLES[8], ["k1", "I1"])["why"]

@@ -59,7 +59,7 @@ def test_a_verdict_is_exact(spin, verdict):
 
 
 @pytest.mark.parametrize("scene", SCENES, ids=str)
-@pytest.mark.few(4)
+@pytest.mark.few(2)
 def test_every_example_is_answered(scene):
     """Whatever is wanted, and its values are those that a verdict needs."""
     for want in gs.questions.WANTED:
@@ -100,6 +100,7 @@ LEVELS = [({}, "every omega", {"omega": "2"}), ({}, "every k3", {"k3": "1/2"}),
            {"I2": "1.2", "omega0": "1"})]
 
 
+@pytest.mark.few(3)
 @pytest.mark.parametrize("table, every, values", LEVELS, ids=[every for _, every, _ in LEVELS])
 def test_a_copied_scene_file_keeps_the_level_that_was_asked(table, every, values, tmp_path, capsys):
     """It says which, and `decide` answers it with the same verdicts as the page."""

@@ -57,6 +57,7 @@ def decided(t, s, p, q):
     return rung, None if t > 0 < s else 1 if s < 0 else 2 if t < 0 < s else 0
 
 
+@pytest.mark.slow
 @settings(max_examples=30, deadline=None)
 @given(moments=MOMENTS, rotor=VECTORS, u=st.tuples(NUMBERS, NUMBERS), omega=NUMBERS, sigma=NUMBERS,
        on=st.booleans())
@@ -123,6 +124,7 @@ def boundary(kind, k, numbers, a, b):
             for i in range(3)]
 
 
+@pytest.mark.slow
 @settings(max_examples=30, deadline=None)
 @given(u=st.tuples(NUMBERS, NUMBERS), omega=NUMBERS, sigma=NUMBERS, a=NUMBERS, b=NUMBERS,
        kind=st.sampled_from("t s d near".split()))
@@ -149,6 +151,7 @@ def test_on_the_boundaries_the_small_matrices_say_what_the_polynomials_do(curved
 OBLIQUE, PLANE = ("1/3", "2/3", "2/3"), ("sin(a)", "0", "cos(a)")
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize(("long", "U", "place", "body"), [
     (False, LINEAR, OBLIQUE, {"gyrostatic_momentum": ROTOR}), (False, LINEAR, PLANE, {}),
     (False, LINEAR, ("0", "0", "1"), {"inertia": ENTRIES, "gyrostatic_momentum": (0, 0, gs.symbol("l"))}),
@@ -193,6 +196,7 @@ def parts(form):
     return len(joined)
 
 
+@pytest.mark.few(2)
 @pytest.mark.parametrize(("splits", "products", "rotor", "U"), [
     (True, ("13",), (1, 0, "l"), ("11", "22", "13")), (False, ("13",), (1, "l", 0), ("11", "22", "13")),
     (False, ("13",), (1, 0, "l"), ("11", "22", "12")), (False, ("12", "13"), (1, 0, "l"), ("11", "22"))])
@@ -231,6 +235,7 @@ def test_a_tensor_of_six_letters_is_printed_in_names(any_tensor):
     assert {name: Rational(place[name]) for name in margins} == margins
 
 
+@pytest.mark.slow
 def test_a_name_is_solved_for_as_in_the_polynomials(curved):
     """The sigma for which a rotation is stable, with algebraic ends: from the names, and written out."""
     numbers = {"u1": "1/2", "u2": "1/3", "omega": 2}

@@ -1,6 +1,4 @@
-"""The linearised field against the differenced Euler-Poisson equations, exactly, and against the printed
-matrices.
-"""
+"""The linearised field against the differenced Euler-Poisson equations and the printed matrices, exactly."""
 from fractions import Fraction
 
 import mpmath
@@ -50,6 +48,7 @@ def test_vertical_polynomial_is_euler_poisson(e1, e2, s, I1, I3, l, pi3, u1, u2)
     assert list(map(R, oracle.characteristic(oracle.jacobian(f, x)))) == [1, 0, p, 0, q, 0, 0]
 
 
+@pytest.mark.slow
 @given(I1=moments, I3=moments, l=numbers, omega=numbers, tilt=tilts, u2=numbers)
 @settings(max_examples=15)
 def test_inclined_polynomial_is_euler_poisson(e3, I1, I3, l, omega, tilt, u2):

@@ -91,6 +91,7 @@ def test_every_rotation_of_a_list_has_the_note(field, rotor, asked):
                 assert decision.note.startswith(said) and bool(decision.note) is bool(said)
 
 
+@pytest.mark.slow
 def test_pieces_of_arcs_have_the_note():
     for rotor in ((0, 0, 0), (0, 0, 1)):
         scene = gs.assemble(gs.Gyrostat((1, 2, 4), rotor), gs.general_potential("k1 + k2 + k3"))

@@ -66,6 +66,7 @@ def test_verdicts_against_eigenvalues_in_doubles(families, full):
             assert rate > 1e-9
 
 
+@pytest.mark.few(4)
 @pytest.mark.parametrize(("numbers", "p", "q"), [
     ((3, 5, 4, 0, 0, 0, "2/3", "1/3", "2/3", -1, -3), "2/3", "2/135"),
     ((4, 6, 3, 0, 0, 0, "-2/3", "1/3", "2/3", -1, -3), "209/324", "1/81"),

@@ -70,6 +70,7 @@ def in_fractions(moments, products, spin, rate):
     return scene, [*(rate * Fraction(x) for x in I[1]), *map(Fraction, (0, 1, 0, 0, 0, 1))], values
 
 
+@pytest.mark.slow
 @settings(max_examples=12, deadline=None)
 @given(moments=MOMENTS, products=st.tuples(PRODUCTS, PRODUCTS), spin=NUMBERS,
        rate=st.fractions("1/6", 2, max_denominator=6), singular=st.booleans())
@@ -91,6 +92,7 @@ def test_the_names_are_the_coefficients_of_the_sextic(satellite, moments, produc
     assert damped.growing == minus or null or damped.verdict.name == "UNDECIDED"
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize(("tensor", "long"), [
     (with_products(), False), ([["5/2", gs.symbol("I12"), 0], [gs.symbol("I12"), 3, 0], [0, 0, 2]], True),
     ([["5/2", "1/2", 0], ["1/2", 3, "1/3"], [0, "1/3", 2]], False)])
@@ -120,6 +122,7 @@ def test_a_satellite_is_printed_in_names(satellite):
     assert [place[name] for name in "abc"] == list(sextic(scene, state))
 
 
+@pytest.mark.slow
 def test_long_minors_of_K_are_in_names(two_fields, satellite):
     """Those of two fields are in the entries of K; those of the satellite have at most 25 terms."""
     names = [{s.name for a in criterion.alternatives for x in a for s in x.symbols} for criterion in (

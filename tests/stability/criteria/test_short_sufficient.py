@@ -38,6 +38,7 @@ def holds(criterion, numbers):
                for c in criterion.alternatives[0])
 
 
+@pytest.mark.slow
 @settings(max_examples=40)
 @given(moments=st.tuples(MOMENTS, MOMENTS, MOMENTS), u=st.tuples(NUMBERS, NUMBERS), rate=NUMBERS)
 def test_they_suffice_for_the_class(level, moments, u, rate):
@@ -49,6 +50,7 @@ def test_they_suffice_for_the_class(level, moments, u, rate):
     assert holds(level.written_out.sufficient, numbers) or not short
 
 
+@pytest.mark.slow
 @settings(max_examples=40)
 @given(moments=st.tuples(MOMENTS, MOMENTS, MOMENTS), u=st.tuples(NUMBERS, NUMBERS), rate=NUMBERS,
        sigma=st.fractions(-40, 0, max_denominator=9))

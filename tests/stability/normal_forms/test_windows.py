@@ -48,7 +48,7 @@ def check(rotation, degree):
     assert float(decision.reason.split("D4 = ")[1].split(",")[0]) == pytest.approx(decimal(D4), rel=1e-5)
 
 
-@pytest.mark.few(2)
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", KINDS)
 def test_a_window(kind):
     """Of every kind, one of them to degree 6 too."""

@@ -33,6 +33,7 @@ CASES = {
                     "k3": "2/3", "omega": -1, "sigma": -20})}
 
 
+@pytest.mark.few(2)
 @pytest.mark.parametrize("case", CASES)
 def test_a_pickled_report_decides_without_deriving(case, monkeypatch):
     """Both verdicts, equal to those of the original; the pickle stays small."""
@@ -52,6 +53,7 @@ def test_a_pickled_report_decides_without_deriving(case, monkeypatch):
     assert fresh.verdict(values) == wanted[0]                  # what was not derived is derived there
 
 
+@pytest.mark.slow
 def test_a_decision_between_the_criteria_is_the_same_from_a_pickle():
     """There theorems derive what they need once more."""
     values = {"I1": 3, "I2": 4, "I3": 5, "l1": -1, "l2": 2, "l3": -1}

@@ -27,6 +27,7 @@ def test_readme_example(e1):
     assert [value for _, value in decision.margins] == [1] and "definite" in decision.reason
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("s", [1, -1])
 @given(I1=moments, l=numbers, pi3=numbers, u=numbers, boundary=st.booleans())
 def test_vertical_verdicts_are_exact(e1, e2, s, I1, l, pi3, u, boundary):
@@ -54,6 +55,7 @@ def test_inclined_verdicts_are_exact(e3, I1, I3, l, omega, tilt, u2, boundary):
     assert decision.modulo == (gs.symbol("pi3"),)
 
 
+@pytest.mark.slow
 @given(I1=moments, I3=moments, l=numbers, omega=numbers, tilt=tilts, u2=numbers)
 @settings(max_examples=15)
 def test_unstable_means_a_growing_mode(e3, I1, I3, l, omega, tilt, u2):

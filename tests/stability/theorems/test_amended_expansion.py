@@ -62,15 +62,13 @@ def test_rest_in_a_degenerate_field_is_decided_by_the_leading_form(U, rotor, exp
     (lambda a, b, c: exp(a**2 + b**2 + c**2), (0, 0, 1), UP, "STABLE"),
     (lambda a, b, c: 0, (0, 0, 1), NORTH, "UNSTABLE"),
     (lambda a, b, c: 0, (0, 0, 0), UP, "UNSTABLE"),
-    (lambda a, b, c: 0, (0, 1, -1), (0, -1, 1, 0, 0, 1), "UNDECIDED")])
+    (lambda a, b, c: 0, (0, 0, -1), (0, 0, 1, 0, 0, 1), "UNDECIDED")])
 def test_rest_without_torque_is_decided_by_the_momentum(U, rotor, point, expected):
     """k along l ≠ 0 is stable, because M and k stay where they are in space; any other k is carried away.
 
     M = 0 is left open.
     """
     inertia = (1, 2, 2) if expected == "UNDECIDED" else (1, 2, 3)
-    if expected == "UNDECIDED":
-        rotor, point = (0, 0, -1), (0, 0, 1, 0, 0, 1)
     decision = decided(inertia, rotor, U, point)
     assert decision.verdict.name == expected, decision
 
@@ -197,6 +195,7 @@ def test_motions_at_rest_do_what_the_leading_form_says(slope, bound):
     assert tilt > 0.5 if bound else tilt < 0.2
 
 
+@pytest.mark.slow
 @given(st.lists(numbers, min_size=5, max_size=5))
 def test_signs_of_a_form_are_those_of_its_values(coefficients):
     """A binary quartic, at 400 directions."""

@@ -45,7 +45,7 @@ def test_all_coefficients_vanish_at_a_pole():
     ]
 
 
-@pytest.mark.few(1)
+@pytest.mark.slow
 @pytest.mark.parametrize(("more", "expected"), [
     (0, "UNSTABLE"), ((k3 - HALF) ** 4, "STABLE"), ((k3 - HALF) ** 3, "UNSTABLE"),
     *slow((-((k3 - HALF) ** 4), "UNSTABLE"), (-((k3 - HALF) ** 3), "UNSTABLE"),

@@ -163,7 +163,7 @@ def closed_curve():
     return np.array(found)[np.unique(cells, axis=0, return_index=True)[1]]     # one in each cell of 1/200
 
 
-@pytest.mark.few(2)
+@pytest.mark.slow
 @pytest.mark.parametrize("name", CASES)
 def test_twenty_neighbours(name, full):
     """At exactly the degenerate parameters, as the verdict and the decision on the point itself say."""

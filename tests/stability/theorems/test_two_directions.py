@@ -14,6 +14,7 @@ def found(moments, rotor):
     return gs.relative_equilibria(gs.assemble(gs.Gyrostat(moments, rotor), gs.circular_orbit(1)), {})
 
 
+@pytest.mark.slow
 def test_the_curve_of_equilibria():
     """L² = 4 ω0² a b: the cubic vanishes, and a closed curve joins the tilted families.
 
@@ -32,6 +33,7 @@ def test_the_curve_of_equilibria():
     assert min(abs(x - 1) for e in on_curve for x in e.frequencies) < 1e-29
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("moments", "least"), [((F(3), F(1), F(2)), True), ((F(2), F(1), F(4, 3)), True),
                                                 ((F(9, 5), F(1), F(6, 5)), False)])
 def test_k_is_positive_across_the_whole_curve(moments, least):

@@ -67,12 +67,14 @@ def test_series_reproduce_the_heavy_top():
         assert all(abs(a - b) < mpmath.mpf(10) ** -20 for a, b in zip(attitude[2], state[3:]))
 
 
+@pytest.mark.slow
 def test_chaotic_motion_to_eleven_digits(chaotic):
     """At t = 20 the state is right to 10⁻¹¹, and to the error reported."""
     off = np.abs(chaotic.state(20.0) - AT_20).max()
     assert off < 1e-11 and off <= chaotic.error < 1e-10
 
 
+@pytest.mark.slow
 def test_attitude_follows_the_body(chaotic):
     """R is the oracle's, from the Euler angle φ = 0 on: a rotation with k in its third row."""
     theta, psi = np.arccos(0.8), np.pi / 2
@@ -146,6 +148,7 @@ def test_transcendental_field(kind):
     assert np.abs(moving.state(4.0) - plain(theirs)).max() <= moving.error < 1e-10
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", KINDS)
 def test_free_gyrostat(kind):
     """On so(3)* the momentum is the oracle's.

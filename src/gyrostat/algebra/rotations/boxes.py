@@ -61,7 +61,7 @@ class CriticalEquations:
     def _matrices(self) -> tuple[acb_mat, acb_mat]:
         """The coefficients of the torques, and of their derivatives, at the precision that is set."""
         if ctx.prec not in self._found:
-            torques = [derivative_along(self._form.enclosed(), turn) for turn in TURNS]
+            torques = [turned(self._form.enclosed(), turn) for turn in TURNS]
             bends = [g for f in torques for g in slopes(f)]
             self._found[ctx.prec] = (acb_mat([[acb(f.get(e, 0)) for e in monomials(4)] for f in torques]),
                                      acb_mat([[acb(g.get(e, 0)) for e in monomials(3)] for g in bends]))
@@ -112,16 +112,6 @@ class CriticalEquations:
         return acb_mat(4, 4, [*entries, *(2 * x for x in q)])
 
 
-def derivative_along(form: Form, turn: Sequence[tuple[int, int]]) -> dict[Exponents, Any]:
-    """Return the derivative of a form along q → q + Σ ± q_j e_i."""
-    found: dict[Exponents, Any] = {}
-    for slope, (j, sign) in zip(slopes(form), turn):
-        for e, c in slope.items():
-            place = moved(e, j, 1)
-            found[place] = found.get(place, 0) + sign * c
-    return found
-
-
 def _column(q: Sequence[acb], degree: int) -> acb_mat:
     """Return the values of all monomials of a degree."""
     powers = [[acb(1)] for _ in q]
@@ -130,3 +120,13 @@ def _column(q: Sequence[acb], degree: int) -> acb_mat:
             several.append(several[-1] * x)
     w, x, y, z = powers
     return acb_mat([[w[a] * x[b] * (y[c] * z[d])] for a, b, c, d in monomials(degree)])
+
+
+def turned(form: Form, turn: Sequence[tuple[int, int]]) -> dict[Exponents, Any]:
+    """Return the derivative of a form along q → q + Σ ± q_j e_i."""
+    found: dict[Exponents, Any] = {}
+    for slope, (j, sign) in zip(slopes(form), turn):
+        for e, c in slope.items():
+            place = moved(e, j, 1)
+            found[place] = found.get(place, 0) + sign * c
+    return found

@@ -40,7 +40,8 @@ class RotationZeros(RealNumbers):
     @cached_property
     def isolated(self) -> list[list[acb]] | None:
         """Balls of q with one real zero each; None if not all zeros are proved to be simple."""
-        for bits in doubled(START, 4 * START):
+        most = 8 if self._form.parts else 4                # where no exact points can be computed after it
+        for bits in doubled(START, most * START):
             with own_precision(bits):
                 several = approximated(self._form, self._bound)
             with own_precision(2 * bits):
@@ -55,11 +56,13 @@ class RotationZeros(RealNumbers):
             size = sum((x * x for x in q), acb(0)).sqrt()
             near = [(x / size).mid() for x in q]
             is_real = all(abs(x.imag) < arb(2) ** (-ctx.prec // 3) for x in near)
-            if not is_real and self._ratio(near).imag < 0:  # its conjugate is proved, and counts twice
-                continue
             box = self._equations.enclosed([acb(x.real) for x in near] if is_real else near)
+            if box is not None and not is_real and all(x.imag.contains(0) for x in box):  # a real one
+                is_real, box = True, self._equations.enclosed([acb(x.real) for x in near])
             if box is None or not is_real and self._ratio(box).imag.contains(0):
                 return None
+            if not is_real and self._ratio(box).imag < 0:  # its conjugate counts twice
+                continue
             count += 1 if is_real else 2
             ratios.append(self._ratio(box))
             if is_real:

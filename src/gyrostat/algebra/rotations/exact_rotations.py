@@ -1,19 +1,16 @@
 """The critical points of a quartic form off N = 0 in number fields, multiple ones too, by exact algebra."""
-from collections.abc import Iterator, Sequence
-from fractions import Fraction
-from math import isqrt
+from collections.abc import Sequence
 
-from flint import fmpq, fmpq_mat, fmpq_mpoly, fmpq_poly, fmpz, fmpz_mat, nmod_mat
+from flint import fmpq, fmpq_mat, fmpq_mpoly, fmpq_poly, fmpz_mat, nmod_mat
 from sympy import S
 
 from ..._cached import cached_property
 from ..solving.real_fields import Conjugates, FieldNumbers
 from .bounds import DEGREE, PRIMES, Bound, times_line, times_norm
+from .modular_fractions import by_residues
 from .quartic_forms import FRAME, NORM, Exponents, Form, minors, multiples
 
 COORDINATES = (1, 0, 0, 0), (0, 1, 0, 0), (0, 0, 1, 0), (0, 0, 0, 1)
-FIRST = 2**62                                          # primes are taken below it
-MOST = 1024                                            # of them
 
 
 class ExactRotations:
@@ -99,32 +96,10 @@ def _bare(f: fmpq_poly) -> fmpq_poly:
 
 def _represented(single: Sequence[fmpq_mat], u: fmpq_mat, separating: fmpq_poly) -> list[fmpq_poly] | None:
     """Return polynomials whose ratios at the roots are those of the coordinates; found modulo primes."""
-    modulus, whole = 1, [0] * 4 * separating.degree()
-    found: list[Fraction] = []
-    for count, p in enumerate(_primes()):
-        values = _traces(single, u, separating, p)
-        if found and all(x.numerator % p == value * x.denominator % p for x, value in zip(found, values)):
-            d = separating.degree()
-            exact = [fmpq(x.numerator, x.denominator) for x in found]
-            return [fmpq_poly(exact[n * d:n * d + d]) for n in range(4)]
-        inverse = pow(modulus, -1, p)
-        whole = [x + modulus * ((value - x) * inverse % p) for x, value in zip(whole, values)]
-        modulus, found = modulus * p, []
-        if count & (count + 1) == 0:                       # after 1, 2, 4, 8, … primes
-            several = [_fraction(x, modulus) for x in whole]
-            found = [x for x in several if x is not None] if None not in several else []
-        if count > MOST:
-            break
-    return None
-
-
-def _primes() -> Iterator[int]:
-    """Yield primes from large to small."""
-    p = FIRST - 1
-    while True:
-        if fmpz(p).is_prime():
-            yield p
-        p -= 2
+    if (found := by_residues(lambda p: _traces(single, u, separating, p))) is None:
+        return None
+    d, exact = separating.degree(), [fmpq(x.numerator, x.denominator) for x in found]
+    return [fmpq_poly(exact[n * d:n * d + d]) for n in range(4)]
 
 
 def _traces(single: Sequence[fmpq_mat], u: fmpq_mat, separating: fmpq_poly, p: int) -> list[int]:
@@ -149,15 +124,6 @@ def _trace(matrix: nmod_mat) -> int:
 def _modulo(matrix: fmpq_mat, p: int) -> nmod_mat:
     return nmod_mat(matrix.nrows(), matrix.ncols(),
                     [int(x.p) * pow(int(x.q), -1, p) % p for x in matrix.entries()], p)
-
-
-def _fraction(residue: int, modulus: int) -> Fraction | None:
-    """Return the fraction with a small numerator and denominator that is a residue; None if there is none."""
-    most, above, below, old, new = isqrt(modulus // 2), modulus, residue % modulus, 0, 1
-    while below > most:
-        quotient, rest = divmod(above, below)
-        above, below, old, new = below, rest, new, old - quotient * new
-    return Fraction(below, new) if new and abs(new) <= most else None
 
 
 def _rank_of_values(polynomials: Sequence[fmpq_poly], matrices: Sequence[fmpq_mat], p: int) -> int:

@@ -6,7 +6,7 @@ from flint import fmpq, fmpq_mat, fmpq_mpoly, fmpz_mat
 from sympy import Expr, Matrix, Rational, S
 
 from ..enclosures.rationals import to_sympy
-from .boxes import TURNS, derivative_along
+from .boxes import TURNS, turned
 from .quartic_forms import FRAME, NORM, Form, QuarticForm, monomials
 
 # i q, j q and k q, which turn the frame, as TURNS the body
@@ -43,7 +43,7 @@ def symmetries(form: QuarticForm) -> list[Turning]:
     [Turning(body=(0, 0, 1), frame=(0, 0, 0))]
     """
     rows = [[f.get(e, 0) for f in several] for part in (form.whole, *(f for _, f in form.parts))
-            for several in [[derivative_along(part, turn) for turn in (*TURNS, *FRAME_TURNS)]]
+            for several in [[turned(part, turn) for turn in (*TURNS, *FRAME_TURNS)]]
             for e in monomials(4)]
     kernel, count = fmpz_mat(rows).nullspace()
     basis, _ = fmpq_mat(fmpz_mat([[kernel[i, n] for i in range(6)] for n in range(count)])).rref() if count \

@@ -22,8 +22,9 @@ def scene_file(verb: argparse.ArgumentParser) -> None:
                       "−∫ xy dm, positive for the integrals ∫ xy dm, as many CAD programs print them; "
                       "default: negative")
     verb.add_argument("--gyrostatic-momentum", metavar="L1,L2,L3",
-                      help=f"the momentum of the rotor, {THREE}; default: 0,0,l, in orbit l along the axis "
-                      "of pitch, or l1,l2,l3 if one of them is set")
+                      help=f"the momentum of the rotor, {THREE}; in orbit held: the one that holds a tensor "
+                      "with products of inertia Earth-pointing, l along the axis of pitch; default: 0,0,l, "
+                      "in orbit l along the axis of pitch, or l1,l2,l3 if one of them is set")
     verb.add_argument("--wheel", metavar="TEXT", action="append", dest="rotors",
                       help="instead of --gyrostatic-momentum: a wheel, 'axis=0,0,1 inertia=0.01 kg m^2 "
                       "speed=3000 rpm', its inertia about its axis; speed= of a motor, or momentum= of a "

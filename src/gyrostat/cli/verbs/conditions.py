@@ -10,6 +10,7 @@ from ...algebra.rings.readable import readable
 from ...algebra.text.inputs import name_of
 from ...notation import symbol
 from ...printing.blocks import Block, Display, Heading, sentence
+from ...printing.decimals import with_decimals
 from ...printing.formats.json_data import json_text
 from ...printing.formats.si_units import unit_of
 from ...printing.formats.text import text
@@ -42,11 +43,11 @@ def run(given: argparse.Namespace, out: Output) -> int:
     asked = asked_of(given, {*numbers, given.solve_for})
     sink = None if dampings == (None, None) else loaded("questions.answers.energy_sink:sink_of")(
         table_of(asked), dampings, numbers)
-    out.noted(scene_note(scene_of(asked), {symbol(name): x for name, x in numbers.items()}))
     if given.solve_for and asked.rotors and asked.orbit and _speeds(given, asked, numbers, out):
         return 0
     labels, others = labels_of(asked, given.equilibrium, numbers)
     some(labels, others)
+    _note(asked, numbers, out)
     if given.solve_for:
         return _solve(given, asked, labels, numbers, out)
     found = condition_list(asked, labels, others, numbers, given.windows, sink)
@@ -63,7 +64,12 @@ def run(given: argparse.Namespace, out: Output) -> int:
         out(loaded("printing.formats.tables:conditions_table")(found.reports, paper, after))
     else:
         blocks = [block for report in found.reports for block in conditions_blocks(report)]
-        symbols = symbol_rows(found.reports[0].equilibrium.system, occurring(blocks))
+        names = occurring(blocks)
+        [symbols] = with_decimals([symbol_rows(found.reports[0].equilibrium.system, names)])
+        if units_given(given):
+            rates = {s.name for rotor in table_of(asked).rotors
+                     for s in getattr(rotor.rate, "free_symbols", ())}
+            blocks = loaded("cli.options.units_shown:in_units")(blocks, rates)
         out(text([*blocks, *after, symbols, *term_blocks([*blocks, *after])], out.width))
     return 0
 
@@ -74,11 +80,16 @@ def _speeds(given: argparse.Namespace, asked: Asked, numbers: Mapping[str, Expr]
     found = loaded("questions.answers.wheel_answer:speeds_at")(asked, given.equilibrium, name, numbers, unit)
     if found is None:
         return False
+    _note(asked, numbers, out)
     if given.format == "json":
         out(json_text(loaded("questions.answers.wheel_answer:speeds_data")(found)))
     else:
         _written(given, loaded("questions.answers.wheel_answer:speeds_blocks")(found), name, out)
     return True
+
+
+def _note(asked: Asked, numbers: Mapping[str, Expr], out: Output) -> None:
+    out.noted(scene_note(scene_of(asked), {symbol(name): x for name, x in numbers.items()}))
 
 
 def _written(given: argparse.Namespace, blocks: Sequence[Block], name: str, out: Output) -> None:

@@ -90,9 +90,9 @@ def _effective_potential(given: argparse.Namespace, numbers: Numbers, figure: An
 def _bifurcations(given: argparse.Namespace, numbers: Numbers, figure: Any) -> str:
     name, low, high, _ = axis_of("--x", given.x, "NAME=LOW:HIGH")
     _free(name, numbers)
-    if given.potential is None:
+    if given.potential is None and given.orbit is None:
         raise ValuesError('--potential is missing, and the equilibria depend on it: write --potential '
-                          '"m0*k3", or none for a free gyrostat')
+                          '"m0*k3", or none for a free gyrostat, or --orbit 1 for a satellite')
     scene = scene_of(asked_of(given, {**numbers, name: low}))
     plotting.draw_bifurcation_diagram(scene, name, (low, high), numbers, figure.subplots())
     return _unusual(scene, numbers)

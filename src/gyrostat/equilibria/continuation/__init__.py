@@ -4,6 +4,7 @@
 between and what meets, and gives `pieces` and each `mark`. For a body of revolution the Curve is in
 `revolution_branches`, by `stations_at_rate`; for permanent rotations it is in `free_branches` and
 `heavy_branches`, by `pencil_branches`, and `heavy_changes` has the values at which stability changes in a
-field. `meeting_equations` says where branches meet, `bifurcation_kinds` in which way, `meeting_values` at
-which numbers; for a free gyrostat `free_meeting_equations`, `free_meetings` and `rotor_planes` do that.
+field; for a satellite it is in `orbit_branches`. `meeting_equations` says where branches meet,
+`bifurcation_kinds` in which way, `meeting_values` at which numbers; for a free gyrostat `free_meetings` and
+`free_meeting_equations` do that.
 """

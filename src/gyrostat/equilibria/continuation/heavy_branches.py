@@ -13,22 +13,20 @@ from ...algebra.reals.number_fields import at_root, common_divisor, in_one
 from ...algebra.rings.polynomials import by_degree
 from ...algebra.solving.plane_curves import PlaneCurve
 from ...algebra.solving.roots import in_order, real_roots, roots_of_factor
-from ...errors import ScopeError, ValuesError
+from ...errors import ScopeError
 from ...mechanics.scenes.system import System, names_of_scene
 from ...notation import symbol
 from ...stability.criteria.amended_form import dot
-from ...stability.criteria.numbers_asked import unknown
 from ...stability.decision import Verdict
 from ..finders.heavy import OMEGA, SIGMA, heavy_forms
 from ..finders.heavy_form import HeavyForm, data_at
 from ..finders.heavy_polynomials import degree_in_k
-from ..finders.rate_level_tilt import exact_point
 from .following import Pieces
 from .heavy_changes import changes
 from .mark import Mark
 from .pencil_branches import PRECISION, Pencil, PencilBranches, meetings
 from .pieces import Piece
-from .stations_at_rate import admissible, within
+from .stations_at_rate import admissible, numbers_beside, within
 
 
 class HeavyBranches(PencilBranches):
@@ -40,14 +38,7 @@ class HeavyBranches(PencilBranches):
 
     def __init__(self, scene: System, name: str, low: Expr, high: Expr, values: Mapping[str, Any]):
         needed = {s.name for s in names_of_scene(scene)} | {"omega"}
-        if name not in needed:
-            raise ValuesError(unknown(name, sorted(needed), "the scene"))
-        if name in values:
-            raise ValuesError(f"{name} is free, and the value {values[name]} is given for it: leave out one "
-                              "of the two")
-        numbers = exact_point(scene, values, needed)
-        if missing := sorted(needed - values.keys() - {name}):
-            raise ValuesError(f"the permanent rotations need {', '.join(missing)}: give a number for each")
+        numbers = numbers_beside(scene, name, values, needed, "permanent rotations")
         admissible(scene.body.positive, numbers, free := symbol(name), low, high)
         if (degree := degree_in_k(scene, "at a rate omega")) > 2:
             raise ScopeError(f"U has degree {degree} in k: branches of rotations are computed if it has "

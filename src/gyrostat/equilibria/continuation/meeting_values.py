@@ -2,7 +2,7 @@
 from collections.abc import Iterator, Mapping
 from typing import Any
 
-from sympy import Expr, S, Symbol
+from sympy import Expr, S, Symbol, oo
 
 from ...algebra.reals.exact import Point, evaluate, proved_sign
 from ...algebra.solving.plane_curves import PlaneCurve
@@ -13,29 +13,37 @@ from ...errors import ValuesError
 from ...mechanics.equilibrium.reduction import K3, OMEGA, P, V, reduce
 from ...mechanics.families.named_families import POLES
 from ...mechanics.scenes.coupled import in_one_direction
+from ...mechanics.scenes.kind import Kind
 from ...mechanics.scenes.system import System, at_numbers
 from ...notation import symbol
 from ...stability.criteria.numbers_asked import unknown
 from ..finders.rate_level_tilt import LENGTH, MARKED, exact_point, names_of, numbers_of_rotations
 from .bifurcation_kinds import AT_RATE, ON_LEVEL, defined, kind_of, tilt_leaves
+from .following import follow
 from .free_meetings import rotation_curve, rotations_meet
 from .mark import Mark
 from .meeting_equations import bifurcations, insert, relation_at_rate
+from .orbit_branches import OrbitBranches
 
 
 @checked
 def bifurcation_points(scene: System, name: str, values: Mapping[str, Any]) -> list[Mark]:
     """Return the values of one name at which relative equilibria meet, all others given; exact and complete.
 
+    For a satellite in a circular orbit these are the marks of continuation over all values of the name; each
+    says in `numbers` how many attitudes there are before and after it, which papers print as 24, 20, …, 8.
+
     Parameters
     ----------
     scene : System
-        a body of revolution in a U rational in k3, or any body without a field
+        a body of revolution in a U rational in k3, any body without a field, or a satellite in a circular
+        orbit
     name : str
         what is left free; a moment is positive
     values : mapping of name to number
         everything but the name: moments, l, the parameters of U, and omega (fixed rate), pi3_0 (the levels
-        C1 = ±(π3 + l) of E1 and E2), or pi3_0 and C1 (a level); for a free gyrostat moments, rotor and M
+        C1 = ±(π3 + l) of E1 and E2), or pi3_0 and C1 (a level); for a free gyrostat moments, rotor and M;
+        for a satellite tensor, rotor, omega0 and the parameters of the potential
 
     Returns
     -------
@@ -47,7 +55,8 @@ def bifurcation_points(scene: System, name: str, values: Mapping[str, Any]) -> l
     ValuesError
         names are missing or unknown, or a number is not admissible
     ScopeError
-        the body is not of revolution, U is unspecified, or not rational in k3
+        the body is not of revolution, U is unspecified, or not rational in k3; for a satellite as in
+        continuation
 
     Examples
     --------
@@ -66,7 +75,18 @@ def bifurcation_points(scene: System, name: str, values: Mapping[str, Any]) -> l
     ...     print(b.kind, b.value, b.nu)
     pitchfork 1/2 1
     pitchfork 2 1/2
+    >>> tensor = gs.Gyrostat((1, "5/4", "8/5"), (0, gs.symbol("l"), 0))
+    >>> satellite = gs.assemble(tensor, gs.circular_orbit(1))
+    >>> for point in gs.bifurcation_points(satellite, "l", {})[8::2]:
+    ...     print(point)
+    pitchfork at l = 1/4, from 24 to 20 attitudes
+    pitchfork at l = 7/20, from 20 to 16 attitudes
+    pitchfork at l = 1, from 16 to 12 attitudes
+    pitchfork at l = 7/5, from 12 to 8 attitudes
     """
+    if scene.kind is Kind.ORBIT:
+        curve = OrbitBranches(scene, name, -oo, oo, values)
+        return follow(curve, *curve.ends).marks
     in_one_direction(scene.potential, "bifurcation_points")
     if scene.potential is None:
         return _of_rotations(scene, name, values)

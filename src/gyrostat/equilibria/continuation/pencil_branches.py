@@ -120,7 +120,7 @@ class PencilBranches(ABC):
         middle, found = self._at(between(low, high))
         if any(one.decision.pointwise and not one.decision.stable for one in found):  # a resonance
             middle, found = self._at(between(low, to_sympy(middle)))
-        nodes = _nodes(low, high, low not in self.changed, high not in self.changed)
+        nodes = fractions_between(low, high, low not in self.changed, high not in self.changed)
         here = self.curve.roots(middle)
         at = [self.pencil.at(Point({self.curve.t: to_sympy(t)})) for t in nodes]
         base, slope, vectors, radii = (np.array([np.array(part, float) for part in parts])
@@ -164,10 +164,11 @@ def _points(turned: Array, vectors: Array, radii: Array, at_pole: int) -> list[A
     return list(np.moveaxis(np.array(found), 1, 0))
 
 
-def _nodes(a: Expr, b: Expr, first: bool, last: bool) -> list[Fraction]:
+def fractions_between(a: Expr, b: Expr, first: bool = True, last: bool = True,
+                      near: int = NEAR) -> list[Fraction]:
     """Return fractions between two numbers; the outer ones lie beside ends at which rotations may meet."""
     low, high = (fraction_of(ball(t, PRECISION).mid()) for t in (a, b))
     parts = (1 - np.cos(np.pi * np.arange(1, NODES) / NODES)) / 2
-    inside = [Fraction(first, NEAR), *map(Fraction, parts.tolist()), 1 - Fraction(last, NEAR)]
+    inside = [Fraction(first, near), *map(Fraction, parts.tolist()), 1 - Fraction(last, near)]
     unit = NEAR**2 * max(1, int(1 / (NEAR * (high - low))))
     return [Fraction(round((low + (high - low) * part) * unit), unit) for part in inside]

@@ -33,6 +33,8 @@ class Piece:
         for a free body: ω = ν M
     sigma : array, shape (n,), or None
         if there is a k: ∇U = omega M + sigma k
+    n, r : array, shape (n, 3), or None
+        for a satellite: the normal of the orbit and the vertical, in body axes
 
     Examples
     --------
@@ -54,6 +56,8 @@ class Piece:
     momentum: Array | None = None
     nu: Array | None = None
     sigma: Array | None = None
+    n: Array | None = None
+    r: Array | None = None
 
 
 def joined(parts: Sequence[Piece]) -> Piece:

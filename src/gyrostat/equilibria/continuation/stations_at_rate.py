@@ -1,5 +1,6 @@
 """The values of a parameter at which the stability of E1, E2 and E3 may change, at a fixed rotor and rate."""
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
+from typing import Any
 
 from sympy import Expr, S, Symbol
 
@@ -12,7 +13,9 @@ from ...mechanics.equilibrium.reduction import K3, OMEGA, P
 from ...mechanics.families.named_families import E3, POLES
 from ...mechanics.scenes.system import System
 from ...notation import symbol
+from ...stability.criteria.numbers_asked import unknown
 from ...stability.report.analysis import analyze
+from ..finders.rate_level_tilt import exact_point
 from .bifurcation_kinds import precessions_leave
 from .meeting_equations import bifurcations, insert
 
@@ -37,6 +40,22 @@ def admissible(positive: Iterable[Expr], numbers: Point, free: Symbol, low: Expr
             raise ValuesError(f"{free} goes from {low} to {high}, and {moment} is a moment of inertia: "
                               "give a range in which it is "
                               "positive")
+
+
+def numbers_beside(scene: System, name: str, values: Mapping[str, Any], needed: set[str], what: str) -> Point:
+    """Return the values of all names that are needed but the one that is free; refuse any others."""
+    if not needed:
+        raise ValuesError(f"all numbers of the scene are given, and {name} is to be free: write the letter "
+                          f"{name} in its body or its field")
+    if name not in needed:
+        raise ValuesError(unknown(name, sorted(needed), "the scene"))
+    if name in values:
+        raise ValuesError(f"{name} is free, and the value {values[name]} is given for it: leave out one "
+                          "of the two")
+    numbers = exact_point(scene, values, needed)
+    if missing := sorted(needed - values.keys() - {name}):
+        raise ValuesError(f"the {what} need {', '.join(missing)}: give a number for each")
+    return numbers
 
 
 def margin_at_rate(scene: System, numbers: Point, free: Symbol) -> tuple[Expr, Expr]:

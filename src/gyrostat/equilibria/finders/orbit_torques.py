@@ -20,6 +20,8 @@ BITS, DIGITS = 128, 9                                  # of the order of the lis
 NOT_RATIONAL = ("all attitudes are found if the moments are rational, and l/omega0 and the torques over "
                 "omega0² are, or are sums of square roots of such numbers and π times these, and if no two "
                 "attitudes meet: give the numbers as decimals")
+NOT_QUADRATIC = ("the potential is of degree above 2 in n, r and t = n × r, and all attitudes are found up "
+                 "to degree 2: give an attitude, steady_motion(scene, n, r)")
 CURVES = ("the attitudes lie on curves, or it is not proved that they do not, and no turn of the body or the "
           "frame is a symmetry: they are where n × ∂V/∂n + r × ∂V/∂r = 0, V = U − ω0² n·In/2; give one, "
           "steady_motion(scene, n, r)")
@@ -43,8 +45,7 @@ def attitude_forms(scene: System) -> list[OrbitalForm]:
     """
     form = _form(scene)
     if form is None:
-        raise ScopeError("the potential is of degree above 2 in n, r and t = n × r, and all attitudes are "
-                         "found up to degree 2: give an attitude, steady_motion(scene, n, r)")
+        raise ScopeError(NOT_QUADRATIC)
     if turnings := symmetries(form):
         if (circles := circles_of(scene, form, turnings)) is None:
             raise ScopeError(NOT_RATIONAL)

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from numbers import Integral
 from typing import Any, ClassVar
 
-from sympy import Add, Expr, ImmutableMatrix, Rational, S
+from sympy import Add, Expr, ImmutableMatrix, Rational, S, Symbol
 
 from ...algebra.reals.exact import is_identically_zero
 from ...algebra.rings.matrices import cross
@@ -23,6 +23,8 @@ from .orbit_rates import rate_of_orbit
 
 NORMAL, VERTICAL = "n", "r"
 VELOCITY = dict(zip(components("t"), cross(components(NORMAL), components(VERTICAL))))     # t = n × r
+
+IN_ORBIT = "n1, n2, n3, the normal, r1, r2, r3, the vertical, and t1, t2, t3, along the velocity"
 
 
 @dataclass(frozen=True)
@@ -118,12 +120,14 @@ def _beside(potential: Any) -> tuple[Expr, Expr]:
     """Return another energy in the directions of the orbit, as it is given and in n and r alone."""
     given = None if callable(potential) else exact_expression(potential, "U")
     potential = potential if given is None else given.xreplace(VELOCITY)
-    fixed = sorted(str(k) for k in getattr(potential, "free_symbols", set()) & set(DIRECTIONS))
-    if fixed:
-        raise PotentialError(f"U = {potential} has {', '.join(fixed)}, a direction fixed in space, and "
-                             "in an orbit the directions turn: leave U out, the gravity gradient acts there "
-                             "anyway, or write what acts beside it in n1, n2, n3, the normal, and r1, r2, "
-                             "r3, the vertical")
+    names: set[Symbol] = getattr(potential, "free_symbols", set())
+    if fixed := sorted(str(k) for k in names & set(DIRECTIONS)):
+        raise PotentialError(f"U = {brief(potential)} has {', '.join(fixed)}, a direction fixed in space, "
+                             "and in an orbit the directions turn: leave U out, or write what acts beside "
+                             f"the gravity gradient in {IN_ORBIT}")
+    if names and not names & {*components(NORMAL), *components(VERTICAL)}:
+        raise PotentialError(f"U = {brief(potential)} depends on no direction of the orbit: write what acts "
+                             f"beside the gravity gradient in {IN_ORBIT}, as f*t1 for a drag")
     other = coupled_potential(potential, (NORMAL, VERTICAL)).expression
     return other if given is None else given, other
 
@@ -186,9 +190,10 @@ def _check_rotor(scene: System, t: ImmutableMatrix, n: ImmutableMatrix, r: Immut
                "l·r + 4 ω0 r·In": r.dot(l) + 4 * rate * r.dot(I * n)}
     left = [f"{name} = {_short(x)}" for name, x in torques.items() if is_identically_zero(x) is False]
     if left:
+        remedy = ("turn the body about the normal, as earth_pointing_gyrostat says" if left[0][:4] == "t·Ir"
+                  else "give the momentum held, or that of earth_pointing_gyrostat")
         raise EquilibriumError(f"Earth-pointing is not an equilibrium of this body: {', '.join(left)}, and "
-                               "each must be 0. In principal axes put the rotor along pitch; "
-                               "earth_pointing_gyrostat gives one that holds it")
+                               f"each must be 0: {remedy}")
 
 
 def _short(value: Expr) -> str:

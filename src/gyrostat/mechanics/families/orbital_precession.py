@@ -7,7 +7,7 @@ from ..._lazy import loaded
 from ...algebra.reals.exact import sign_of_constant
 from ...algebra.text.numbers import shown
 from ...arguments import checked
-from ...errors import EquilibriumError, ScopeError
+from ...errors import EquilibriumError, ScopeError, brief
 from ...notation import components, symbol
 from ..equilibrium.equilibrium import Equilibrium
 from ..scenes.body import Gyrostat
@@ -70,7 +70,7 @@ def orbital_precession(scene: System, kind: str) -> Equilibrium:
                          "assemble(symmetric_gyrostat(), circular_orbit())")
     c, turn, I1, I3 = found
     if kind not in KINDS:
-        raise EquilibriumError(f"kind = {kind!r} is no precession: give one of {', '.join(KINDS)}")
+        raise EquilibriumError(f"kind = {brief(kind)} is no precession: give one of {', '.join(KINDS)}")
     if kind == "cylindrical":
         point = _turned_to(scene, turn, (S.Zero, S.Zero, S.One), (S.One, S.Zero, S.Zero))
         return Equilibrium(kind, scene, point)

@@ -28,6 +28,7 @@ if TYPE_CHECKING:
 LISTS = ("inertia", "gyrostatic_momentum", "point", "state", "release", "integrals")    # of texts or numbers
 KEYS = {*LISTS, "products", "rotors", "lumped", "orbit", "pointing", "direction", "potential", "values",
         "equilibrium", "spin", "eliminate", "angles", "vertical", "given", "parameters"}
+HELD = "held"                                          # the momentum that holds a satellite Earth-pointing
 NONE, AXIAL, GENERAL = "none", "U(k3)", "U(k1,k2,k3)"   # potentials that are no expressions
 
 
@@ -85,6 +86,14 @@ class SceneTable:
         rotors = self.table.get("rotors", [])
         not_mixed(self.quantities)
         products = self.table.get("products", "negative")
+        if momentum == [HELD]:
+            if "orbit" not in self.table:
+                raise PublishedError(f"gyrostatic_momentum = {HELD} is that of a satellite, and this body is "
+                                     "in no orbit: give an orbit, or three numbers")
+            axes = self.table.get("pointing", [1, 2, 3])
+            free = [symbol("l") if abs(axes[1]) == n else 0 for n in (1, 2, 3)]
+            hold = loaded("mechanics.families.holding_rotor:earth_pointing_gyrostat")
+            return hold(Gyrostat(inertia, free, products), self.potential, *axes)
         if not rotors:
             return Gyrostat(inertia, momentum, products)
         make = loaded("mechanics.scenes.rotors:gyrostat_with_rotors")

@@ -7,7 +7,6 @@ from typing import Any
 
 from flint import fmpz
 from sympy import Add, Basic, Expr, MatrixBase, Mul, Pow, Rational, Symbol
-from sympy.printing.latex import LatexPrinter
 
 from ...algebra.rings.readable import entries, readable
 from ...algebra.text.numbers import double
@@ -24,6 +23,7 @@ from ...stability.criteria.linearization import Linearization
 from ...stability.decision import Decision
 from ...stability.report.report import Report
 from ..blocks import Block, Display, Number, Sentence, Word, rate_of
+from ..decimals import DecimalPrinter
 from ..letters import letters_in
 from ..order import ordered_factors, ordered_terms, over, signed
 from ..results.decision import letters_of_decision, levels_of
@@ -37,7 +37,7 @@ RELATIONS = {"≥": r"\geq", "≤": r"\leq", "≠": r"\neq", "∝": r"\propto", 
 _RELATION = re.compile(r" ([<>=≥≤≠]) ")
 
 
-class Printer(LatexPrinter):
+class Printer(DecimalPrinter):
     """Prints terms and factors in the order of the notation.
 
     Derivatives of U take their argument from at.

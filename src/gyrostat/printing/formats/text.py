@@ -56,7 +56,7 @@ def plain(obj: Any) -> str:
 @plain.register
 def _condition(condition: Condition) -> str:
     return (" and " if condition.strict else " or ").join(
-        f"{unicode(d.name, d.at)} {d.relation} {unicode(d.value, d.at)}" for d in comparisons(condition))
+        f"{_inline(d.name, d.at)} {d.relation} {_inline(d.value, d.at)}" for d in comparisons(condition))
 
 
 @plain.register

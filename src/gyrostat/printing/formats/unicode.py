@@ -4,7 +4,7 @@ from functools import lru_cache
 from typing import Any
 
 from flint import fmpq
-from sympy import Add, Expr, Mul, Pow, Symbol
+from sympy import Add, Expr, Float, Mul, Pow, Symbol
 from sympy.printing.str import StrPrinter
 
 from ...notation import jet_name
@@ -63,6 +63,12 @@ class _Unicode(StrPrinter):
         return str(fmpq(int(expr.p), int(expr.q))).replace("-", "−")
 
     _print_Integer = _print_Rational
+
+    def _print_Float(self, expr: Float) -> str:
+        """Write the first digits of a number, and … for those that follow."""
+        digits, _, power = str(expr).partition("e")
+        ten = f"·10{str(int(power)).translate(SUPERSCRIPTS)}" if power else ""
+        return f"{digits.rstrip('.').replace('-', '−')}…{ten}"
 
     def _print_Derivative(self, expr: Any) -> str:
         variables = "".join(str(v)[-1] * n for v, n in expr.variable_count)

@@ -193,7 +193,8 @@ def _mark(point: Mark) -> list[Block]:
     free = symbol(point.name)
     where = ((free, point.value), (symbol("k3"), point.k3), (letter(letters_in([free]), "nu"), point.nu))
     places = [(name, in_sentence(value)) for name, value in where if value is not None]
-    return [sentence(f"{point.kind} at ", *equations(places))]
+    counts = f", from {point.numbers[0]} to {point.numbers[1]} attitudes" if point.numbers else ""
+    return [sentence(f"{point.kind} at ", *equations(places), counts)]
 
 
 @result_blocks.register

@@ -55,13 +55,15 @@ def conditions_blocks(report: Report) -> list[Block]:
     eq = report.equilibrium
     domains = [existence(d, eq.at) for d in eq.existence() if d.free_symbols]
     exists: list[Block] = [sentence("It exists if:"), *domains] if domains else []
-    return [Heading(title_of(eq)), *tilt_blocks(eq), *family_blocks(eq), *exists,
+    found: list[Block] = loaded("printing.decimals:with_decimals")([
+            Heading(title_of(eq)), *tilt_blocks(eq), *family_blocks(eq), *exists,
             *criterion_blocks("Necessary", report.necessary, eq.at, "necessary"),
             *short_blocks(report), *criterion_blocks("Sufficient", report.sufficient, eq.at, "sufficient"),
             *integral_blocks(report),
             *boundary_blocks(report),
             *criterion_blocks("Under internal damping", report.damped, eq.at, "damped"),
-            *definition_blocks(report), *frame_definitions(report), *implied_blocks(report)]
+            *definition_blocks(report), *frame_definitions(report), *implied_blocks(report)])
+    return found
 
 
 def report_blocks(report: Report) -> list[Block]:

@@ -14,6 +14,7 @@ from ...stability.notion import Notion
 from ...stability.report.report import Report
 from ..blocks import Block, Display, Word, modulo_flow, sentence
 from ..letters import letters_of, word
+from ..numbers import is_long
 from ..order import inequality
 
 LONG, SHORTER = 200, 4                                 # characters of long margins; how many times fewer
@@ -107,10 +108,12 @@ def implied_blocks(report: Report) -> list[Block]:
         for proof in (p for alternative in criterion.alternatives for c in alternative for p in c.implies):
             factor = () if proof.factor == 1 else (readable(proof.factor), " ")
             of = (", in ", polynomial_of(letters), ",") if "p" in proof.source else ()
-            blocks.append(sentence(
-                "The condition on ", source_word(proof.source, letters), *of, f" adds nothing to {name}: up "
-                "to a positive factor it is ", readable(proof.square), " + ", *factor, "(",
-                readable(proof.by), ").", at=eq.at))
+            why = ("up to a positive factor it is ", readable(proof.square), " + ", *factor, "(",
+                   readable(proof.by), ").")
+            if is_long(proof.square) or is_long(proof.by):
+                why = ("it follows from it.",)
+            blocks.append(sentence("The condition on ", source_word(proof.source, letters), *of,
+                                   f" adds nothing to {name}: ", *why, at=eq.at))
     return blocks
 
 
@@ -138,6 +141,9 @@ def comparisons(condition: Condition) -> list[Display]:
 
 def comparison(condition: Condition) -> Display:
     """Write a condition as left > right; a single negative product is written as product < 0."""
+    if is_long(condition.margin):
+        found: Display = loaded("printing.decimals:compared")(condition)
+        return found
     left, right = inequality(condition)
     if left == 0:
         return Display(right, left, condition.at, "<" if condition.strict else "≤")

@@ -10,9 +10,10 @@ from sympy import Expr, ImmutableMatrix, Symbol
 from ...algebra.text.grammar import parse
 from ...errors import EquilibriumError, GyrostatError, ValuesError
 from ...mechanics.equilibrium.equilibrium import Equilibrium
+from ...mechanics.families.circular_orbit import by_gradient_alone
 from ...mechanics.families.named_families import E3, E3_AT_REST, FAMILIES, PRINCIPAL
 from ...mechanics.scenes.kind import Kind
-from ...mechanics.scenes.system import at_numbers, names_of_scene
+from ...mechanics.scenes.system import System, at_numbers, names_of_scene
 from ...notation import jet, symbol
 from ...printing.blocks import Block, Heading, prose
 from ...stability.criteria.numbers_asked import unknown
@@ -23,6 +24,7 @@ from ..scene_texts import Asked, direction_of, one_for_each, pointing_of, scene_
 from .equilibrium_labels import CLAIMED, by_point, labels, labels_in_words, likely, named
 
 AT_REST = E3_AT_REST.label
+MOST = 4                                               # names that a message lists
 Names = Mapping[str, Expr | None]                      # numbers, None for a name that an axis gives
 Found = TypeVar("Found")
 
@@ -43,20 +45,32 @@ def labels_of(asked: Asked, given: Sequence[str] | None,
     principal = not isinstance(scene.body.inertia, ImmutableMatrix)
     if scene.kind is Kind.FREE and principal and not any(scene.body.gyrostatic_momentum[:2]):
         return (PRINCIPAL[2].label,), []
-    held, decide = [], ""
+    held, decide, why = [], "", ""
     if scene.kind is Kind.ORBIT:
-        decide = "; decide finds all if every name has a number"
+        decide = "; decide finds all if every name has a number" + _without(scene, numbers)
     elif scene.kind is Kind.FREE:
         decide = "; decide finds all if every name and M have a number"
     elif not scene.unspecified:
         decide = ("; decide finds those of a rate omega, a level C1 or a direction k1, k2, k3 if every name "
                   "has a number")
     for family in likely(scene):
-        with contextlib.suppress(EquilibriumError):
+        try:
             held.append(report_at(asked, family.label, numbers).equilibrium.label)
+        except EquilibriumError as error:
+            why = why or str(error)
+    if by_gradient_alone(scene) and not held:
+        return held, [Missing("Equilibria", f"{why}; decide finds all attitudes at numbers")]
     others = "Other equilibria" if held else "Equilibria"
     return held, [Missing(others, f"{others} of this scene are not looked for: give {by_point(scene)}, in "
                           f"numbers or expressions{decide}")]
+
+
+def _without(scene: System, numbers: Names) -> str:
+    """Name those without a number, if others have one and they are few."""
+    left = sorted({s.name for s in names_of_scene(scene)} - numbers.keys())
+    if not numbers or not left or len(left) > MOST:
+        return ""
+    return f", and {', '.join(left)} {'has' if len(left) == 1 else 'have'} none"
 
 
 def some(labels: Sequence[str], missing: Sequence["Missing"]) -> None:

@@ -110,7 +110,7 @@ def of_forms(K: Rows, A: Rows, B: Any, k: Sequence[Any], scale: Any) -> AmendedF
     """Return the invariants by the forms K and A and the gyroscopic term B, with scale = J/det I."""
     determinant = dot(k, [dot(row, k) for row in adjugate(K)])
     return AmendedForm(trace(K) - dot(k, [dot(row, k) for row in K]), determinant,
-                       scale * (B**2 + sum(dot(a, row) for a, row in zip(A, K))), scale * determinant)
+                       scale * (B * B + sum(dot(a, row) for a, row in zip(A, K))), scale * determinant)
 
 
 def dot(a: Sequence[Any], b: Sequence[Any]) -> Any:
