@@ -22,9 +22,8 @@ NOT_RATIONAL = ("all attitudes are found if the moments are rational, and l/omeg
                 "attitudes meet: give the numbers as decimals")
 NOT_QUADRATIC = ("the potential is of degree above 2 in n, r and t = n × r, and all attitudes are found up "
                  "to degree 2: give an attitude, steady_motion(scene, n, r)")
-CURVES = ("the attitudes lie on curves, or it is not proved that they do not, and no turn of the body or the "
-          "frame is a symmetry: they are where n × ∂V/∂n + r × ∂V/∂r = 0, V = U − ω0² n·In/2; give one, "
-          "steady_motion(scene, n, r)")
+CURVES = ("the attitudes lie on curves, or it is not proved that they do not: they are where n × ∂V/∂n + "
+          "r × ∂V/∂r = 0, V = U − ω0² n·In/2; give one, steady_motion(scene, n, r)")
 
 
 def attitude_forms(scene: System) -> list[OrbitalForm]:
