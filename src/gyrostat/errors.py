@@ -8,14 +8,16 @@ from unicodedata import category
 
 # controls, marks of direction, halves of pairs, separators of lines
 _STEERING = ("Cc", "Cf", "Cs", "Zl", "Zp")
-_LONG = re.compile(r"(\d{12})\d{49,}")                    # no message quotes such an integer whole
+# an exact number, of which no message quotes more than 60 characters
+_LONG = re.compile(r"(?<![\w.])(?=[\d(-]|sqrt|pi|CRootOf)(?:CRootOf\([^()]*\)|sqrt|pi|[\d.*/()+\- ])+")
+_WHOLE, _KEPT = 60, 57                                 # characters of one that is quoted, and of a part
 
 
 class GyrostatError(Exception):
     """The base of all: ``except GyrostatError`` catches what the library refuses, and nothing else."""
 
     def __str__(self) -> str:
-        return _LONG.sub(r"\1…", printable(super().__str__()))
+        return _LONG.sub(_cut, printable(super().__str__()))
 
 
 def printable(text: str) -> str:
@@ -27,6 +29,14 @@ def printable(text: str) -> str:
     top\u001b[2J
     """
     return text if text.isprintable() else "".join(map(_escaped, text))
+
+
+def _cut(number: re.Match[str]) -> str:
+    """Return the beginning of a long number; what follows it stays apart."""
+    whole = number[0]
+    if len(whole.strip()) <= _WHOLE:
+        return whole
+    return f"{whole[:_KEPT].rstrip()}…{' ' if whole.endswith(' ') else ''}"
 
 
 def _escaped(c: str) -> str:

@@ -148,6 +148,7 @@ def test_other_wheels_carry_what_is_missing():
     (lambda: scene_of((3, 4, 2), (0, 1, 0), 1), {"unit": "furlong"}, "is no unit"),
     (lambda: scene_of((3, 4, 2), (0, 1, 0), 1), {"directions": ((0, 2, 0), (0, 0, 1))}, "unit vectors"),
     (lambda: scene_of((3, 4, 2), (0, 1, 0), 1), {"directions": ("n", "r")}, "give the normal"),
+    (lambda: scene_of((3, 4, 3), (0, 1, 0), 1), {}, "leaves the turn about the normal free"),
     (lambda: scene_of((3, 4, 2), (0, 1, 0), 1), {"pitch": 3}, "give the body axes 1, 2, 3")])
 def test_what_is_no_such_question_is_refused(scene, given, why):
     """In at most 300 characters."""

@@ -9,7 +9,7 @@ from matplotlib.figure import Figure
 from sympy import Rational
 
 import gyrostat as gs
-from gyrostat.equilibria.continuation.rotor_planes import numbers_of_rotations_over
+from gyrostat.equilibria.curves.rotor_planes import numbers_of_rotations_over
 from gyrostat.errors import ScopeError, ValuesError
 from gyrostat.plotting import draw_rotor_set
 from gyrostat.plotting.looks import BLUE, DARK

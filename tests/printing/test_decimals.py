@@ -48,6 +48,13 @@ def test_conditions_in_names_have_decimals_in_their_coefficients(capsys):
     assert "…" not in out and "SI" not in out
 
 
+def test_a_name_that_lowers_a_margin_is_below(capsys):
+    """Pitch against the normal: l < ω0 (I2 − I1), l < 4 ω0 (I2 − I3)."""
+    _, out, _ = run(capsys, "--orbit", ORBIT, "--pointing", "1,-2,-3", "--set", "I1=410 kg m^2",
+                    "I2=580 kg m^2", "I3=250 kg m^2", verb="conditions")
+    assert "l < 0.188153… kg m² s⁻¹" in out
+
+
 def test_a_criterion_in_python_reads_the_same():
     """print(report.sufficient) of an orbit by its height."""
     body = gs.Gyrostat((410, 580, 250), (0, gs.symbol("l"), 0))

@@ -216,8 +216,8 @@ def _linear(scene: System, x: Symbol) -> tuple[ImmutableMatrix, ImmutableMatrix]
         raise ValuesError(f"the momentum of the wheels is not linear in {x} alone: give the speed of a wheel "
                           f"that name, Rotor(axis, axial, rate=symbol('{x}'))")
     if _vanishes(slope):
-        raise ValuesError(f"no wheel has the speed {x}: give one that name, Rotor(axis, axial, "
-                          f"rate=symbol('{x}')), or speed={x} in --wheel")
+        raise ValuesError(f"no wheel has the speed {brief(x.name)[1:-1]}: give one that name, Rotor(axis, "
+                          "axial, rate=symbol('s')), or speed=s in --wheel")
     return l.xreplace({x: S.Zero}), slope
 
 

@@ -8,7 +8,7 @@ from sympy import Expr, ImmutableMatrix
 from ..algebra.enclosures.floats import Array, in_floats, row
 from ..algebra.reals.exact import proved_sign
 from ..arguments import checked
-from ..equilibria.continuation.rotor_planes import fold_intervals, fold_squares, numbers_of_rotations_over
+from ..equilibria.curves.rotor_planes import fold_intervals, fold_squares, numbers_of_rotations_over
 from ..equilibria.finders.free import NU
 from ..equilibria.finders.rate_level_tilt import LENGTH, exact_point
 from ..errors import ScopeError, ValuesError

@@ -1,8 +1,10 @@
 """Rank, kernel and negative squares of FLINT's matrices against SymPy's, with entries of both kinds."""
+from random import Random
+
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from sympy import Matrix, Rational, sqrt
+from sympy import Matrix, Rational, radsimp, sqrt
 
 from gyrostat.algebra.reals.number_matrices import (
     NotProvedError,
@@ -59,3 +61,21 @@ def test_an_unknown_entry():
     """Nothing is said of the rank of a matrix with a name in it."""
     with pytest.raises(NotProvedError, match="a is 0 is not proved"):
         rank(Matrix([[symbol("a")]]))
+
+
+def test_kernel_and_product_in_the_field_of_one_square_root():
+    """A matrix of known rank, by factors with entries a + b √D; what SymPy expands is the same."""
+    rng = Random(3)
+
+    def some(height, width):
+        return Matrix(height, width, lambda *_: Rational(rng.randint(-5, 5), rng.randint(1, 4))
+                      + sqrt(21) * Rational(rng.randint(-3, 3), 2) / (1 + sqrt(21)))
+
+    for left in range(1, 4):
+        one, other = some(5, left), some(left, 4)
+        whole = product(one, other)
+        assert (whole - one * other).applyfunc(lambda x: radsimp(x.expand())) == 0 * whole
+        columns = kernel(whole)
+        assert columns.shape == (4, 4 - left)
+        assert columns.applyfunc(lambda x: x.evalf(30)).rank() == 4 - left
+        assert product(whole, columns) == Matrix.zeros(5, 4 - left)

@@ -45,7 +45,7 @@ REFUSED = [(("M1^2",), StructureError, "its bracket with the Hamiltonian is -l*p
            (("(M1*k1 + M2*k2 + M3*k3)^2",), StructureError, "is a function of the Hamiltonian, the Casimirs"),
            (("pi1^2/4 + pi2^2/4 + pi3^2/2 + m0*k1 + 7",), StructureError, "is a function of the Hamiltonian"),
            ((KOWALEVSKI, KOWALEVSKI), StructureError, "and the integrals that are known"),
-           (("1e400*M1",), StructureError, "... is not an integral: its bracket"),
+           (("1e400*M1",), StructureError, "… is not an integral: its bracket"),
            (("(M1 + M2 + M3 + k1 + k2 + k3)^30",), GyrostatError, "the limits are 1000 terms"),
            ("M1^2", ArgumentError, "integrals = 'M1^2' is a str, not several entries"),
            (M0, ArgumentError, "integrals = m0 is a Symbol, not several entries"),

@@ -6,5 +6,5 @@ between and what meets, and gives `pieces` and each `mark`. For a body of revolu
 `heavy_branches`, by `pencil_branches`, and `heavy_changes` has the values at which stability changes in a
 field; for a satellite it is in `orbit_branches`. `meeting_equations` says where branches meet,
 `bifurcation_kinds` in which way, `meeting_values` at which numbers; for a free gyrostat `free_meetings` and
-`rotor_planes` do that.
+`free_meeting_equations` do that.
 """

@@ -19,7 +19,7 @@ from ...mechanics.scenes.system import System
 from ...notation import Stored, jet, symbol
 from ..finders.rate_level_tilt import MARKED, require_revolution
 from .bifurcation_kinds import precessions_leave, tilt_leaves
-from .free_meetings import loci_of_rotations
+from .free_meeting_equations import loci_of_rotations
 
 
 @dataclass(frozen=True, repr=False)

@@ -123,8 +123,8 @@ def _beside(potential: Any) -> tuple[Expr, Expr]:
     names: set[Symbol] = getattr(potential, "free_symbols", set())
     if fixed := sorted(str(k) for k in names & set(DIRECTIONS)):
         raise PotentialError(f"U = {brief(potential)} has {', '.join(fixed)}, a direction fixed in space, "
-                             "and in an orbit the directions turn: leave U out, the gravity gradient acts "
-                             f"there anyway, or write what acts beside it in {IN_ORBIT}")
+                             "and in an orbit the directions turn: leave U out, or write what acts beside "
+                             f"the gravity gradient in {IN_ORBIT}")
     if names and not names & {*components(NORMAL), *components(VERTICAL)}:
         raise PotentialError(f"U = {brief(potential)} depends on no direction of the orbit: write what acts "
                              f"beside the gravity gradient in {IN_ORBIT}, as f*t1 for a drag")

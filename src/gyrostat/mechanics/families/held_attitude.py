@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from sympy import Expr, ImmutableMatrix, S, Symbol, atan, pi, sqrt
 
 from ...algebra.reals.exact import proved_sign
+from ...errors import ScopeError
 from ...notation import symbol
 from ..scenes.functions_on_sphere import lowest
 from .circular_orbit import along_velocity
@@ -26,12 +27,17 @@ def turned_to_rest(I: ImmutableMatrix, n: ImmutableMatrix, r: ImmutableMatrix) -
     """Return the attitude that wheels can hold, turned about n by the least angle φ that makes t·I r 0.
 
     t turns to t cos φ + r sin φ with tan 2φ = 2 t·I r/(t·I t − r·I r). The conditions have the products of
-    inertia t·I n and r·I n in their squares only, so that their signs do not matter.
+    inertia t·I n and r·I n in their squares only, so that their signs do not matter. A ScopeError is raised
+    if the gravity gradient leaves that turn free.
     """
     t = along_velocity(n, r)
     across, up, coupled = t.dot(I * t), r.dot(I * r), t.dot(I * r)
     u, v = t.dot(I * n), r.dot(I * n)
     width = sqrt((across - up)**2 + 4 * coupled**2)
+    if not any(map(proved_sign, (width, u, v))):
+        raise ScopeError("t·I t = r·I r, and no product of inertia is there: the gravity gradient leaves the "
+                         "turn about the normal free at every speed, and no verdict is proved by its form; "
+                         "ask for a verdict at given numbers")
     if proved_sign(across - up) == -1:
         width = -width
     square, product = S.One, S.Zero                    # cos² φ, cos φ sin φ

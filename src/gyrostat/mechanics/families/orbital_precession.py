@@ -6,7 +6,7 @@ from sympy import Expr, ImmutableMatrix, Rational, S, Symbol, sqrt
 from ...algebra.reals.exact import sign_of_constant
 from ...algebra.text.numbers import shown
 from ...arguments import checked
-from ...errors import EquilibriumError, ScopeError
+from ...errors import EquilibriumError, ScopeError, brief
 from ...notation import symbol
 from ..equilibrium.equilibrium import Equilibrium
 from ..scenes.body import Gyrostat
@@ -68,7 +68,7 @@ def orbital_precession(scene: System, kind: str) -> Equilibrium:
                          "rotor 0, 0, l, and this scene is none: use assemble(symmetric_gyrostat(), "
                          "circular_orbit())")
     if kind not in KINDS:
-        raise EquilibriumError(f"kind = {kind!r} is no precession: give one of {', '.join(KINDS)}")
+        raise EquilibriumError(f"kind = {brief(kind)} is no precession: give one of {', '.join(KINDS)}")
     if kind == "cylindrical":
         return Equilibrium(kind, scene, resting_at(scene, (0, 0, 1), (1, 0, 0)))
     rotor = scene.body.gyrostatic_momentum[2]

@@ -59,7 +59,8 @@ def labels_of(asked: Asked, given: Sequence[str] | None,
         except EquilibriumError as error:
             why = why or str(error)
     if by_gradient_alone(scene) and not held:
-        return held, [Missing("Equilibria", f"{why}; decide finds all attitudes at numbers")]
+        speed = "solve for the speed of a wheel, or " if asked.rotors else ""
+        return held, [Missing("Equilibria", f"{why}; {speed}decide at numbers")]
     others = "Other equilibria" if held else "Equilibria"
     return held, [Missing(others, f"{others} of this scene are not looked for: give {by_point(scene)}, in "
                           f"numbers or expressions{decide}")]
