@@ -51,8 +51,7 @@ def parser() -> argparse.ArgumentParser:
     conditions.add_argument("--solve-for", metavar="NAME",
                             help="give the values of NAME (l, pi3_0, omega3_0, omega, m0, …) for which each "
                             "equilibrium exists and is stable; in closed form, or as exact numbers if --set "
-                            "gives all other names; in orbit, with --wheel '… speed=NAME', the speeds of a "
-                            "wheel at which an attitude is stable")
+                            "gives all other names; NAME may be the speed of a --wheel in orbit")
     conditions.add_argument("--windows", action="store_true", help="add what decides between the two "
                             "conditions of an asymmetric body in a field: resonances and D4, as formulas")
     conditions.add_argument("--full", action="store_true", help="print every case of --solve-for, however "
