@@ -39,7 +39,7 @@ ROTATIONS = {"fold": "D", "pitchfork": "P", "umbilic": "X", "crossing": "x", "ci
              "circle at this value alone": "s", "sphere at this value alone": "*"}
 SHAPES = {**MEETINGS, **ROTATIONS, **CHANGES}
 MOMENTUM, RATE = (1, 1, 0), (0, 1, 0)                      # dimensions
-NUMBERS, WIDTH = 1.17, 0.03                                # of the numbers of attitudes: height, least width
+NUMBERS, WIDTH = 1.17, 0.06                                # of the numbers of attitudes: height, least width
 CLEARANCE = 0.11                                           # of the names, in k3
 
 

@@ -71,6 +71,15 @@ def test_where_a_closed_curve_of_attitudes_passes():
     assert len(found.marks) == 8
 
 
+def test_a_dipole_along_the_normal_acts_as_a_rotor():
+    """U = b n1 has the marks of l1 = −b; where the closed curve passes, none is left out."""
+    dipole = gs.continuation(satellite(BODY, potential="b*n1"), "b", (F(3, 5), 1), {}).marks
+    rotor = gs.continuation(satellite(BODY, (gs.symbol("b"), 0, 0)), "b", (F(3, 5), 1), {}).marks
+    assert len(dipole) == len(rotor) == 8 and {mark.value**2 for mark in dipole} == {Rational(3, 5)}
+    assert {(*mark.n, *mark.r) for mark in dipole} == {(-mark.n[0], -mark.n[1], -mark.n[2], *mark.r)
+                                                       for mark in rotor}
+
+
 def test_where_the_body_is_one_of_revolution():
     """At I2 = I1 every attitude of a rigid satellite lies on a circle about axis 3, and else there are 24."""
     found = gs.continuation(satellite((1, gs.symbol("I2"), BODY[2])), "I2", (F(3, 4), F(5, 4)), {})
