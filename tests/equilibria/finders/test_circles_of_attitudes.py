@@ -174,3 +174,62 @@ def test_attitudes_along_a_closed_curve():
         assert max(abs(whole[0, 2]), abs(whole[0, 1] + l[0]), abs(4 * whole[2, 1] + l[2])) < mp.mpf(10) ** -40
         done += 1
     assert done > 5
+
+
+def test_axes_whose_length_is_irrational():
+    """Along (1, 1, 0) torques have √2 in them: the same as along axis 3, by decimals of the same torques."""
+    tensor = [[F(3, 2), F(1, 2), 0], [F(1, 2), F(3, 2), 0], [0, 0, 1]]
+    given = Satellite(tensor, (F(1, 5), F(1, 5), 0), {"t": (F(1, 7), F(1, 7), 0), "r": (F(1, 9), F(1, 9), 0)})
+    own = Satellite(turned((1, 1, 2), ONE), (0, 0, F(2**0.5) / 5),
+                    {"t": (0, 0, F(2**0.5) / 7), "r": (0, 0, F(2**0.5) / 9)})
+    found, expected = given.found(), own.found()
+    c = np.array([1, 1, 0]) / 2**0.5
+    assert len(found) == len(expected) >= 4
+    for e, R, other, S in zip(found, matrices(found), expected, matrices(expected)):
+        np.testing.assert_allclose(R @ c, S[:, 2], atol=1e-12)
+        assert (e.decision.verdict, e.damped.verdict) == (other.decision.verdict, other.damped.verdict)
+        assert np.abs(torque(R[None], given.matrix, given.vector)[0]).max() < 1e-12
+
+
+def test_circles_about_the_normal():
+    """A ball in a potential of n alone, with a rotor that is not along its axes: the frame may turn about n.
+
+    Newton's method ends on no other circle; the energy is least on one of two minima at most.
+    """
+    matrix = turned([F(1, 3), F(-1, 4), F(1, 2)], rotation(Random(3)))
+    satellite = Satellite(turned((1, 1, 1), ONE), (0, 0, F(1, 5)), {"n": (F(1, 9), F(1, 5), 0)},
+                          {("n", "n"): matrix})
+    found = satellite.found()
+    here = [R[1] for R in matrices(found)]
+    assert all("a circle of equilibria about n," in e.locus for e in found)
+    for R, _ in landings(satellite.matrix, satellite.vector):
+        assert min(np.abs(R[1] - n).max() for n in here) < 1e-6
+    count = 0
+    for e, R in zip(found, matrices(found)):
+        K = sorted(signs_of(satellite, R), key=abs)[1:]
+        count += (-1) ** sum(x < 0 for x in K)
+        assert (e.decision.rung.name == "LEAST_ON_SET") == (min(K) > 0)
+    assert count == 2
+
+
+def test_a_torus_of_attitudes():
+    """In a potential of n·c alone, (n·c)²/2 − n·c/3 with c = e3: n·c = 1/3 on a torus, and two circles."""
+    satellite = Satellite(turned((1, 1, 1), ONE), linear={"n": (0, 0, F(-1, 3))},
+                          forms={("n", "n"): turned((0, 0, 1), ONE)})
+    torus, *circles = satellite.found()
+    assert "a torus" in torus.locus and torus.locus.endswith("is 1/3")
+    assert abs(torus.doubles.place["n3"] - 1 / 3) < 1e-15
+    assert sorted(e.doubles.place["n3"] for e in circles) == [-1, 1]
+
+
+@pytest.mark.parametrize(("digits", "count"), [(6, 24), (12, 24), (None, 6)])
+def test_moments_that_are_equal_but_for_rounding(digits, count):
+    """A body of revolution in tilted axes, exact or rounded: it is taken as what it is."""
+    turn = [[F(3, 7), F(-6, 7), F(2, 7)], [F(6, 7), F(2, 7), F(-3, 7)], [F(2, 7), F(3, 7), F(6, 7)]]
+    tensor = turned((1, 1, 2), turn)
+    if digits:
+        tensor = [[F(round(x * 10**digits), 10**digits) for x in row] for row in tensor]
+    found = Satellite(tensor).found()
+    assert len(found) == count
+    assert all(bool(e.locus) == (count == 6) for e in found)
+    assert sum((-1) ** e.form.index for e in found if not e.locus) == 0
