@@ -131,7 +131,7 @@ def test_a_tensor_in_any_axes(kind, c):
 
 
 def test_the_axis_moves_so_under_torques_along_it():
-    """λ⁴ + p λ² + q of the reduced scene is that of the nine coordinates, with drag and an asteroid's field."""
+    """λ⁴ + p λ² + q of the reduced scene is that of the nine coordinates, with drag and an asteroid."""
     potential = "t3/3 + n3^2/5 + (n1^2 + n2^2)/4"
     scene = gs.assemble(gs.Gyrostat((1, 1, "8/5"), (0, 0, "1/5")), gs.circular_orbit(1, potential=potential))
     for e in gs.relative_equilibria(scene, {}):
