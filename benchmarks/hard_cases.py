@@ -139,13 +139,15 @@ def on_boundary(kind: str, n: int, rng) -> dict:
         z = np.where(case < 2, rng.integers(-15, 16, n) / 16, 0.0)
         across = I1 * (1 - z * z)
         rest = across * q + I1 * w * z
-        jets = {"d2U": -across * q * q - I1 * w * w, "d3U": np.where(case == 3, 6 * w * rest, third),
-                "d4U": fourth}
+        jets = {"d2U": -across * q * q - I1 * w * w, "d3U": np.where(case == 3, 6 * w * rest, third)}
+        last = 8 * z * jets["d3U"] + 12 * jets["d2U"] - (1 - z * z) * fourth
+        jets["d4U"] = np.where(last == 0, fourth + 1 / 8, fourth)       # the last coefficient decides
         return {"I1": I1, "I3": I3, "l": rest + (I1 - I3) * w * z, "omega": w, "k3": z, **jets}
     s = SIDE[kind]
     slope = s * I1 * q * q
     bend = np.where(case > 1, -s * slope, second)
-    jets = {"dU": slope, "d2U": bend, "d3U": np.where(case == 3, -1.5 * s * bend, third), "d4U": fourth}
+    jets = {"dU": slope, "d2U": bend, "d3U": np.where(case == 3, -1.5 * s * bend, third)}
+    jets["d4U"] = np.where(s * fourth + 2 * jets["d3U"] == 0, fourth + 1 / 8, fourth)
     return {"I1": I1, "I3": I3, "l": l, "pi3_0": 2 * I1 * q - l, **jets}
 
 

@@ -7,7 +7,8 @@ from gyrostat.cli.parser import main
 @pytest.mark.parametrize(("typed", "near"), [
     ("decide --formt json", "--format"), ("report --potental=k3", "--potential"),
     ("decide -inertia 1,2,3", "--inertia"),
-    ("reprt", "report"), ("plot staude-con", "staude-cone"), ("plot smelt", ""), ("report xyzzy", ""),
+    ("reprt", "report"), ("plot staude-con", "staude-cone"), ("plot smelt", "smelt-plane"),
+    ("plot gyre", ""), ("report xyzzy", ""),
     ("report --format jsn", "")])
 def test_what_is_near_is_named(capsys, typed, near):
     """An option for what begins as one, a verb or a picture for a word; nothing where nothing is near."""

@@ -47,3 +47,20 @@ def search(matrix, vector, starts=300, seed=0):
         if all(np.abs(attitude - other).max() > 1e-6 for other, _ in found):
             found.append((attitude, bend))
     return found
+
+
+def landings(matrix, vector, starts=150, seed=0):
+    """The rotations at which Newton's method ends, on curves of them too, and −K there."""
+    turn = frames(np.random.default_rng(seed).normal(size=(starts, 4)))
+    for _ in range(60):
+        whole, slope = torque(turn, matrix, vector)
+        move = -np.einsum("mij,mj->mi", np.linalg.pinv(slope, rcond=1e-7), whole)
+        length = np.linalg.norm(move, axis=1, keepdims=True)
+        move *= np.minimum(1, 0.3 / (length + 1e-300))
+        size = np.linalg.norm(move, axis=1)[:, None, None] + 1e-150
+        turning = hats(move)
+        turn = turn @ (np.eye(3) + np.sin(size) / size * turning
+                       + (1 - np.cos(size)) / size**2 * turning @ turning)
+    whole, slope = torque(turn, matrix, vector)
+    good = np.abs(whole).max(1) < 1e-11
+    return list(zip(turn[good], slope[good]))

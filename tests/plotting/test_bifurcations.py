@@ -145,7 +145,7 @@ def test_what_cannot_be_drawn_is_refused():
     for name, ends in (("I1", (-2, 2)), ("I3", (0, 1)), ("I1", ("-1", "-1/2"))):
         rest = {n: x for n, x in {**values, "omega": 1}.items() if n != name}
         with pytest.raises(ValuesError,
-                           match=f"{name} is a moment of inertia: give a range in which it is positive"):
+                           match=f"{name} has to be positive: give a range in which it is"):
             draw_bifurcation_diagram(TOP, name, ends, rest)
     with pytest.raises(ValuesError, match="speed is free"):
         draw_bifurcation_diagram(TOP, "speed", (0, 1), {**values, "omega": 1})

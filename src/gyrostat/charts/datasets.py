@@ -3,13 +3,15 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
+from sympy import Expr
 
 from ..algebra.enclosures.floats import Array
 from ..algebra.rings.readable import readable
 from ..errors import optional
 from ..mechanics.equilibrium.equilibrium import Equilibrium
-from ..mechanics.families.circular_orbit import by_gradient_alone
-from ..notation import NOTATION, dimension_of, jet, units
+from ..mechanics.families.circular_orbit import CircularOrbit
+from ..mechanics.families.named_entries import named_entries
+from ..notation import NOTATION, dimension_of, jet, symbol, units
 from ..printing.formats.latex import tex
 from ..printing.formats.latex_names import Names
 from ..stability.criteria.conditions import sources
@@ -21,6 +23,7 @@ from .request import Request
 # names of the dataset itself
 OWN = ("verdict", "damped", "rung", "margin", "boundary_x", "boundary_y", "vertex", "curve_x", "curve_y",
        "curve", "place", "complete")
+LONGEST = 24                                           # letters of an exact number of the scene
 
 
 def described(request: Request, arrays: Sequence[Array], found: Mapping[str, Array]) -> Any:
@@ -98,10 +101,22 @@ def _attributes(eq: Equilibrium) -> dict[str, str]:
     potential = eq.system.potential
     found = {"Conventions": "CF-1.11", "title": f"Stability of {eq.label}", "equilibrium": eq.label,
              "potential": str(potential.expression) if potential else "none"}
-    if potential and potential.given and not by_gradient_alone(eq.system):
+    if isinstance(potential, CircularOrbit):
+        found["orbit"] = "circular"
+        if potential.beside:
+            found["potential_latex"] = tex(potential.beside, Names())
+    elif potential and potential.given:
         found["potential_latex"] = tex(potential.expression, Names())
+    if known := {name: x for name, x in named_entries(eq.system).items() if x not in (0, symbol(name))}:
+        found["scene"] = "; ".join(f"{name} = {_written(x)}" for name, x in known.items())
     if eq.relations:
         found["relations"] = "; ".join(f"{name} = {value}" for name, value in eq.relations)
     if eq.eliminated:
         found["eliminated"] = ", ".join(eq.eliminated)
     return found | {"gyrostat_version": __version__}
+
+
+def _written(entry: Expr) -> str:
+    """Return an entry of a scene as a text; a long number in 17 digits."""
+    text = str(entry)
+    return text if len(text) <= LONGEST or entry.free_symbols else str(entry.evalf(17))

@@ -89,7 +89,19 @@ KINDS = {
         "Draws the eigenvalues of an equilibrium along a parameter, and where they collide."),
     "cones": (
         "body cone and space cone of a free body of revolution",
-        "Draws the body cone rolling on the space cone of a free body of revolution.")}
+        "Draws the body cone rolling on the space cone of a free body of revolution."),
+    "attitudes": (
+        "every attitude in which a satellite in orbit rests, with verdicts",
+        "Draws every attitude in which a satellite in a circular orbit rests, by its vertical and the normal "
+        "of its orbit in the body. The numbers are those of the rows of gyrostat decide --orbit."),
+    "librations": (
+        "roll, pitch and yaw of a satellite over its orbits",
+        "Draws roll, pitch and yaw of a satellite in a circular orbit, from a state or a release on."),
+    "smelt-plane": (
+        "whether a satellite is stable Earth-pointing, by the ratios of its moments",
+        "Draws Smelt's plane of the two ratios of moments of an Earth-pointing satellite with the rotor of "
+        "the one that is given, and marks where this one lies: in Lagrange's region, in that of DeBra and "
+        "Delp, or outside. The rotor is along the axis of pitch, or there is none.")}
 
 
 _COMMENT = re.compile(r"(?<=\S) {2,}")

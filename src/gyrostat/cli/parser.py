@@ -9,17 +9,10 @@ from functools import cache
 from ..version import __version__
 from .completion import SHELLS, PrintCompletion
 from .did_you_mean import Parser
-from .help import KINDS, PROGRAM, VERBS, Formatter, examples
-from .options.scene_options import (
-    a_scene,
-    an_equilibrium,
-    claimed_point,
-    integral,
-    numbers,
-    pointing,
-    scene_file,
-)
-from .output import look_options, picture_options, standard_streams, told
+from .help import PROGRAM, VERBS, Formatter, examples
+from .options.kinds_of_pictures import kinds_of_pictures
+from .options.scene_options import a_motion, a_scene, an_equilibrium, claimed_point, integral
+from .output import look_options, standard_streams, told
 from .run_verb import carried_out
 from .time_limit import signals
 
@@ -44,10 +37,10 @@ def parser() -> argparse.ArgumentParser:
                           (chart, "those of all names except the axes")):
         a_scene(verb, meaning)
         claimed_point(verb)
-    _motion(motion)
+    a_motion(motion)
     for verb in (report, conditions, decide, chart, motion):
         integral(verb)
-    kinds = _kinds(plot)
+    kinds = kinds_of_pictures(plot)
     conditions.add_argument("--solve-for", metavar="NAME",
                             help="give the values of NAME (l, pi3_0, omega3_0, omega, m0, …) for which each "
                             "equilibrium exists and is stable; in closed form, or as exact numbers if --set "
@@ -124,73 +117,6 @@ def parser() -> argparse.ArgumentParser:
         verb.add_argument("--output", metavar="FILE", help="write to a file instead of the terminal" + (
             ": motion.csv, .nc, .png, .pdf, .svg, .gif or .mp4" if verb is motion else ""))
     return top
-
-
-def _motion(verb: argparse.ArgumentParser) -> None:
-    """Declare the options of a body, its state and its times."""
-    a_scene(verb, "I1, I3 or I1, I2, I3; l or l1, l2, l3; the names in U",
-           "none for a free body")
-    verb.add_argument("--state", metavar="PI1,PI2,PI3,K1,K2,K3",
-                      help="the exact state at time 0: pi is the momentum with the rotor locked, k the "
-                      "direction of the field in the body; for a free body PI1,PI2,PI3, in orbit "
-                      "PI1,PI2,PI3,N1,N2,N3,R1,R2,R3")
-    pointing(verb)
-    verb.add_argument("--release", metavar="ROLL,PITCH,YAW",
-                      help="instead of --state: start a satellite at rest in the frame of the orbit, turned "
-                      "by these angles, first by yaw and last by roll; '5 deg,0,0', or in rad without a unit")
-    verb.add_argument("--until", metavar="T", required=True,
-                      help="the last time; if it is negative, the motion goes back from 0")
-    among = verb.add_mutually_exclusive_group()
-    among.add_argument("--count", type=int, metavar="N",
-                       help="how many times from 0 to T; default: 201, for a curve 2001, for a film 150")
-    among.add_argument("--step", metavar="DT", help="the time from one to the next, instead of --count")
-    verb.add_argument("--tolerance", metavar="X",
-                      help="the largest error of a motion that is integrated numerically; default: 1e-3")
-
-
-def _kinds(plot: Parser) -> list[Parser]:
-    """Declare the pictures, each with its options."""
-    kinds = plot.add_subparsers(dest="kind", required=True, metavar="KIND")
-    sphere, nutation, well, branches, rotors, staude, plane, amended, diagram, eigenvalues, cones = (
-        kinds.add_parser(name, help=line, description=sentences, formatter_class=Formatter)
-        for name, (line, sentences) in KINDS.items())
-    scene_file(sphere)
-    numbers(sphere, "I1, I2, I3; l or l1, l2, l3")
-    sphere.add_argument("--momentum", metavar="M", required=True, help="the radius of the sphere, |M|")
-    sphere.add_argument("--energy", metavar="H", action="append",
-                        help="draw the polhode of this energy; may be repeated; default: some of each kind")
-    _motion(nutation)
-    nutation.set_defaults(precision=None)
-    a_scene(well, "I1, I3, l, the names in U, p_phi and p_psi", "required")
-    well.add_argument("--energy", metavar="H", help="draw the motion at this energy, too")
-    a_scene(branches, "I1, I3, l, omega and the names in U, or I1, I2, I3, l1, l2, l3 and M, except the name "
-           "of the axis", "none for a free gyrostat; required")
-    branches.add_argument("--x", metavar="NAME=LOW:HIGH", required=True,
-                          help="the parameter, omega or another name, and its range")
-    scene_file(rotors)
-    numbers(rotors, "I1, I2, I3 and one of l1, l2, l3; the others are the axes")
-    rotors.add_argument("--momentum", metavar="M", required=True, help="|M|")
-    for kind in staude, plane:
-        a_scene(kind, "I1, I2, I3, l or l1, l2, l3, and the names in U",
-               "of degree 1 in k1, k2, k3; required")
-    plane.add_argument("--x", metavar="omega=LOW:HIGH",
-                       help="the range of the rates; default: all at which there are rotations")
-    a_scene(amended, "I1, I2, I3, l or l1, l2, l3, the names in U, and C1",
-           "of degree 1 or 2 in k1, k2, k3; required")
-    a_scene(diagram, "I1, I3, l, the names in U, and p_psi", "required")
-    a_scene(eigenvalues, "those of all names in the spectrum except the axis")
-    an_equilibrium(eigenvalues, "default for a free body: axis 3")
-    claimed_point(eigenvalues)
-    eigenvalues.add_argument("--x", metavar="NAME=LOW:HIGH[:COUNT]", required=True,
-                             help="the parameter, its range in either direction, and how many values; "
-                             "default: 200")
-    numbers(cones, "I1 and I3")
-    cones.add_argument("--transverse", metavar="W", required=True,
-                       help="the angular velocity across the axis")
-    cones.add_argument("--axial", metavar="W3", required=True, help="the angular velocity along the axis")
-    for kind in kinds.choices.values():
-        picture_options(kind)
-    return list(kinds.choices.values())
 
 
 def _line(text: str) -> int:

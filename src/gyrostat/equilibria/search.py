@@ -41,10 +41,11 @@ def relative_equilibria(scene: System, values: Mapping[str, Any]) -> list[Relati
 
     For a satellite in a circular orbit, give numbers for the tensor, the rotor and omega0, if they are
     names: every attitude in which it rests in the frame of the orbit is found, 8 to 24 if its moments are
-    different, or a closed curve of them; for a body of revolution with the rotor along its axis a point of
-    each circle of them. In another potential beside the gravity gradient, of degree 2 in n, r and n × r as of
-    drag, a magnet or an asteroid, or with a free rotor, there are at most 40, those of least energy first;
-    if they are not isolated, the scene is refused.
+    different. In another potential beside the gravity gradient, of degree 2 in n, r and n × r as of drag, a
+    magnet or an asteroid, or with a free rotor, there are at most 40, those of least energy first. If a turn
+    of the body or of the frame is a symmetry, as for a body of revolution in any axes with rotor and torques
+    along its axis, the list has a point of each circle of attitudes; on a closed curve it has those that are
+    in principal planes. `locus` has the equations. Other curves are refused.
 
     Parameters
     ----------

@@ -119,7 +119,7 @@ def spectrum(eq: Equilibrium, name: str, samples: Sequence[float],
     refuse_any_direction(eq)
     linear = linearize(eq)
     parts = _parts(linear)
-    check_names([*values, name], names_in([*(c for part, _ in parts for c in part), symbol(name)]),
+    check_names([*values, name], names_in(c for part, _ in parts for c in part),
                 f"the spectrum of {eq.label}")
     at, free = doubles(samples, "the samples"), symbol(name)
     if at.ndim != 1 or len(at) < 2 or not (np.diff(at) * (at[-1] - at[0]) > 0).all():

@@ -7,8 +7,9 @@ Any body in a field has the `staude_cone` and the `staude_plane` (both from `alo
 `bifurcations` and `eigenvalues` along one parameter, and `charts` over two (their `cells` and
 `chart_curves`). A body of `solids` turns in an `animation`, or the reader turns it (`interactive`). Verdicts
 have the same `looks` in all of them. `headings` say what is drawn, `legends` what the looks mean, if there is
-no room `beside` the marks, and `captions` say both for a paper. A `globe` is a sphere seen from one side,
-`scene_numbers` makes exact numbers of the values, and `paper.mplstyle` is a style for print.
+no room `beside` the marks, and `captions` say both for a paper. Marks that nearly coincide are `nested`. A
+`globe` is a sphere seen from one side, `scene_numbers` makes exact numbers of the values, and
+`paper.mplstyle` is a style for print.
 """
 from typing import TYPE_CHECKING
 

@@ -88,7 +88,8 @@ def draw_attitudes(scene: System, values: Mapping[str, Any] | None = None, ax: A
         dots_on(ax, r + LENGTH * n, eye, **looks[verdict])
     along = [np.array(nearest(form.n)) for form, _ in found]
     numbers_on(ax, [(n, np.array(nearest(form.r)) + LENGTH * way)
-                    for n, ((form, _), way) in enumerate(zip(found, along), 1)], eye, ways=along)
+                    for n, ((form, _), way) in enumerate(zip(found, along), 1)], eye, ways=along,
+               others=[np.array(nearest(form.r)) for form, _ in found])
     decisions = [decision for _, decision in found]
     headed(ax, "Attitudes in which a satellite rests, by the vertical $r$ and the normal $n$ of its orbit in "
            "the body", of_scene(scene, values or {}),

@@ -42,16 +42,19 @@ def written_beside(ax: Any, marks: Sequence[Marks]) -> tuple[list[Any], list[Mar
     return names, left
 
 
-def written_at(ax: Any, texts: Sequence[tuple[str, Place]], size: float) -> None:
+def written_at(ax: Any, texts: Sequence[tuple[str, Place]], size: float) -> list[Any]:
     """Write a text beside each place, a mark of a size in points: where there is room, else right above it.
+
+    Return the texts.
     """
-    taken = _obstacles(ax)
+    taken, names = _obstacles(ax), []
     for said, place in texts:
-        name = _text(ax, said, place)
+        names.append(name := _text(ax, said, place))
         if (box := _put(ax, name, [place], size, taken)) is None:
             name.set(position=(size / 2, size / 2), ha="left", va="bottom")
         else:
             taken = np.concatenate([taken, box])
+    return names
 
 
 def _text(ax: Any, said: str, place: Place) -> Any:

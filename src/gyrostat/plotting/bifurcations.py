@@ -29,6 +29,7 @@ from .globe import dots_of
 from .headings import of_scene, of_sphere
 from .legends import named
 from .looks import DARK, axes_of, axis, label, line, marker, with_dimension
+from .scene_numbers import in_own_axes
 
 CHANGES = {"fold on a level": "o", precessions_leave(E1): "s", precessions_leave(E2): "p",
            SINGULAR: "o", FREQUENCIES: "s"}
@@ -38,7 +39,7 @@ ROTATIONS = {"fold": "D", "pitchfork": "P", "umbilic": "X", "crossing": "x", "ci
              "circle at this value alone": "s", "sphere at this value alone": "*"}
 SHAPES = {**MEETINGS, **ROTATIONS, **CHANGES}
 MOMENTUM, RATE = (1, 1, 0), (0, 1, 0)                      # dimensions
-NUMBERS, WIDTH = 1.17, 0.03                                # of the numbers of attitudes: height, least width
+NUMBERS, WIDTH = 1.17, 0.06                                # of the numbers of attitudes: height, least width
 CLEARANCE = 0.11                                           # of the names, in k3
 
 
@@ -106,6 +107,8 @@ def draw_bifurcation_diagram(scene: System, name: str, ends: tuple[Any, Any], va
     >>> sorted(text.get_text() for text in ax.texts)
     ['E1', 'E2', 'E3', 'E3 leaves E1', 'precessions leave E2']
     """
+    given, all_values = scene, values
+    scene, values, k3, about = in_own_axes(scene, values)
     found = continuation(scene, name, ends, values)
     ax, free, rotor = axes_of(ax), scene.kind is Kind.FREE, scene.body.gyrostatic_momentum
     entry, orbit = rotor.index(symbol(name)) if symbol(name) in rotor else None, scene.kind is Kind.ORBIT
@@ -130,8 +133,10 @@ def draw_bifurcation_diagram(scene: System, name: str, ends: tuple[Any, Any], va
             ax.set_xlabel(with_dimension("$|M|$", MOMENTUM))
         said = of_scene(scene, values) if length else of_sphere(scene, values, values[LENGTH.name])
     else:
-        ax.set(ylim=(-1.3, 1.3), ylabel=label(f"n{3 if entry is None else entry + 1}" if orbit else "k3"))
-        said = of_scene(scene, values)
+        tilt = f"${k3}$" if not orbit else label(f"n{3 if entry is None else entry + 1}")
+        ax.set(ylim=(-1.3, 1.3), ylabel=tilt)
+        above, numbers = of_scene(given, all_values)
+        said = [*above, *about], numbers
     if orbit:
         _count(found, low, high, ax)
     if scene.kind is Kind.REVOLUTION:

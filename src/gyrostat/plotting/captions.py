@@ -12,6 +12,7 @@ from .beside import Marks
 from .headings import heading
 from .legends import legend
 from .looks import BLUE, DARK, DESTROYED, GREY, INK
+from .nested import nest
 
 COLOURS = {"blue": BLUE, "dark": DARK, "grey": GREY, "brown": INK["undecided"], "red": INK[DESTROYED],
            "black": "black", "white": "white", "light blue": "#dce9f4", "light grey": "#dfe3e8",
@@ -51,8 +52,12 @@ class Caption:
 
 def headed(ax: Any, what: str, said: tuple[Sequence[str], Sequence[str]], handles: Sequence[Any],
            columns: int | None = None, marks: Sequence[Marks] = (), after: str = "") -> None:
-    """Draw legend and title, and keep what a caption says: what, said and after as in Caption."""
+    """Draw legend and title, nest marks that nearly coincide, and keep what a caption says.
+
+    what, said and after are as in Caption.
+    """
     legend(ax, handles, columns, partial(heading, *said), marks)
+    nest(ax)
     ax.gyrostat_caption = Caption(what, *said, [*handles, *(kind.handle for kind in marks)], after)
 
 

@@ -6,13 +6,17 @@ import numpy as np
 
 from .._lazy import loaded
 from ..algebra.enclosures.floats import Array
+from ..algebra.text.grammar import parse
 from ..arguments import checked
 from ..errors import ValuesError, optional, require
 from ..notation import dimension_of, order
+from ..printing.formats.latex import tex
+from ..printing.formats.latex_names import Names
+from ..typesetting import typeset
 from .captions import headed
 from .chart_curves import curves
 from .headings import field, number
-from .looks import AREAS, DESTROYED, INK, LOOKS, axes_of, label, with_dimension
+from .looks import AREAS, DESTROYED, INK, LOOKS, axes_of, label, si_unit, with_dimension
 
 MODULO = {"the flow of pi3": "the spin"}                   # about the axis of the body
 # values of an axis that are drawn; of more, every second, third, …
@@ -22,8 +26,10 @@ FINEST = 150
 
 
 @checked
-def draw_chart(ds: Any, ax: Any = None, **kwargs: Any) -> Any:
+def draw_chart(ds: Any, ax: Any = None, *, si: bool = False, **kwargs: Any) -> Any:
     r"""Draw a stability chart of two axes.
+
+    The title has the numbers of the scene, of an orbit its rate, and those that are fixed.
 
     Parameters
     ----------
@@ -33,6 +39,9 @@ def draw_chart(ds: Any, ax: Any = None, **kwargs: Any) -> Any:
     ax : matplotlib Axes
         a new one where it is left out; a figure without a layout gets the constrained one, which has room for
         what stands above
+    si : bool
+        whether the numbers are those of SI: axes and title then have its units, instead of the dimension in
+        M, L and T
     **kwargs : Any
         of the image of the verdicts, as matplotlib.image.AxesImage takes them: alpha=0.5
 
@@ -86,25 +95,36 @@ def draw_chart(ds: Any, ax: Any = None, **kwargs: Any) -> Any:
         _hatched(ax, x, y, edges, destroyed, DESTROYED)
     drawn = curves(ax, ds, dims, edges)
     ax.set(xlim=(edges[0][0], edges[0][-1]), ylim=(edges[1][0], edges[1][-1]),
-           xlabel=_label(seen[dims[1]]), ylabel=_label(seen[dims[0]]))
+           xlabel=_label(seen[dims[1]], si), ylabel=_label(seen[dims[0]], si))
     shown = [name for name, where in occurring.items() if _visible(where & ~destroyed)]
     names = {name: name.replace("_", " ") for name in shown} | _modulo(ds, shown)
     if _visible(destroyed):
         names[DESTROYED] = DESTROYED
-    headed(ax, f"Stability chart in {label(str(dims[1]))} and {label(str(dims[0]))}", _said(ds),
+    headed(ax, f"Stability chart in {label(str(dims[1]))} and {label(str(dims[0]))}", _said(ds, si),
            [*_patches(names), *drawn])
     return ax
 
 
-def _said(ds: Any) -> tuple[list[str], list[str]]:
-    """Return the equilibrium and U, and the names that are fixed or determined by the others."""
+def _said(ds: Any, si: bool) -> tuple[list[str], list[str]]:
+    """Return the equilibrium and U, and the numbers of the scene, those that are fixed or determined."""
     latex = ds.attrs.get("potential_latex", "")
-    names = sorted((name for name, c in ds.coords.items() if c.ndim == 0), key=order)
-    fixed = [f"${ds[name].attrs.get('latex', name)} = {number(ds[name].item(), _exact(ds[name]))}$"
-             for name in names]
+    scene = dict(text.split(" = ") for text in ds.attrs.get("scene", "").split("; ") if text)
+    said = {name: _number(name, parse(text), text, si) for name, text in scene.items()}
+    said |= {str(name): _number(str(name), c.item(), _exact(c), si, c.attrs.get("latex", name))
+             for name, c in ds.coords.items() if c.ndim == 0}
+    fixed = [said[name] for name in sorted(said, key=order)]
     if eliminated := ds.attrs.get("eliminated"):
         fixed.append(f"{', '.join(map(label, eliminated.split(', ')))} determined at each point")
-    return [ds.attrs["equilibrium"], *(field(latex) if latex else [])], fixed
+    above = [*(["in orbit"] if "orbit" in ds.attrs else []), *(field(latex) if latex else [])]
+    return [ds.attrs["equilibrium"], *above], fixed
+
+
+def _number(name: str, value: Any, exact: str, si: bool, latex: str = "") -> str:
+    """Return a name and its number, or a formula if it has names in it; of SI with its unit."""
+    formula = bool(getattr(value, "free_symbols", ()))
+    shown = tex(value, Names()) if formula else number(value, exact)
+    unit = si_unit(name) if si and not formula else ""
+    return f"${latex or typeset(name)} = {shown}" + (rf"\,{unit}$" if unit else "$")
 
 
 def _exact(coordinate: Any) -> str:
@@ -165,9 +185,11 @@ def _runs(where: Array, length: int, axis: int) -> Array:
     return found.swapaxes(0, axis)
 
 
-def _label(coordinate: Any) -> str:
+def _label(coordinate: Any, si: bool) -> str:
     name = str(coordinate.name)
     text = f"${coordinate.attrs['latex']}$" if "latex" in coordinate.attrs else name
+    if si:
+        return f"{text} $[{unit}]$" if (unit := si_unit(name)) else text
     return with_dimension(text, dimension_of(name))
 
 

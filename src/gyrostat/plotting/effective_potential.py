@@ -27,7 +27,7 @@ from .globe import dots_of
 from .headings import of_scene
 from .legends import named, room
 from .looks import BLUE, DARK, GREY, MARKER, axes_of, axis, label, marker, meaning
-from .scene_numbers import numbers_of
+from .scene_numbers import in_own_axes, numbers_of
 
 THETA = symbol("theta")
 ANGLES = 801                                               # beside those about what is special
@@ -134,7 +134,8 @@ def draw_effective_potential(scene: System, values: Mapping[str, Any], energy: A
     Parameters
     ----------
     scene : System
-        body of revolution in a U rational in k3
+        body of revolution in a U rational in k3, or about any other axis c, rational in k·c; θ and π3 + l are
+        then those of c
     values : mapping of name to number
         for its parameters, p_phi = C1 and p_psi = π3 + l [M L²/T]
     energy : number or None
@@ -172,7 +173,8 @@ def draw_effective_potential(scene: System, values: Mapping[str, Any], energy: A
     >>> ax.get_xlabel()
     '$\\theta$'
     """
-    found = well(scene, values, energy)
+    standard, left, _, about = in_own_axes(scene, values)
+    found = well(standard, left, energy)
     if energy is not None and not found.reach and not found.turning_points:
         raise ValuesError(f"energy = {energy}: no motion has it on this level of p_phi and p_psi, V is "
                           "nowhere so low; give at least "
@@ -198,8 +200,8 @@ def draw_effective_potential(scene: System, values: Mapping[str, Any], energy: A
     letters = letters_of(scene)
     ax.set(xlabel=label("theta"), ylabel=axis(letters.of("V"), (1, 2, 0)))
     shown = {} if energy is None else {letters.of("h"): energy}
-    headed(ax, "Effective potential of a body of revolution", of_scene(scene, {**values, **shown}), handles,
-           2)
+    above, numbers = of_scene(scene, {**values, **shown})
+    headed(ax, "Effective potential of a body of revolution", ([*above, *about], numbers), handles, 2)
     room(ax)
     written_at(ax, [(str(n), (x, y)) for x, y, n, _ in found.equilibria], MARKER)
     return ax

@@ -23,7 +23,7 @@ from .globe import dots_of
 from .headings import of_scene
 from .legends import named, room
 from .looks import DARK, MARKER, axes_of, axis, line, marker
-from .scene_numbers import numbers_of
+from .scene_numbers import in_own_axes, numbers_of
 
 CELLS = 400                                                # of each axis, for the regions
 # k3 has no place, one band, two bands, three or more
@@ -76,7 +76,8 @@ def draw_energy_momentum(scene: System, values: Mapping[str, Any],
     Parameters
     ----------
     scene : System
-        body of revolution in a U rational in k3
+        body of revolution in a U rational in k3, or about any other axis c, rational in k·c; k3 and π3 + l
+        are then the components along c
     values : mapping of name to number
         for its parameters, and p_psi [M L²/T]
     window : (C1, C1, h, h) or None
@@ -116,7 +117,8 @@ def draw_energy_momentum(scene: System, values: Mapping[str, Any],
     >>> [text.get_text() for text in ax.texts]
     ['E1, focus-focus', 'E2']
     """
-    found = energy_momentum(scene, values)
+    standard, left_over, k3, about = in_own_axes(scene, values)
+    found = energy_momentum(standard, left_over)
     ax = axes_of(ax)
     left, right, low, high = _window(found) if window is None else row(window, "window").tolist()
     momentum, energy = np.linspace(left, right, CELLS), np.linspace(low, high, CELLS)
@@ -141,8 +143,9 @@ def draw_energy_momentum(scene: System, values: Mapping[str, Any],
     verdicts = [named({**(marker(x) if x in points else {}), **(line(x) | kwargs if x in curves else {})},
                       x.name.lower() + (modulo if x is Verdict.STABLE else ""))
                 for x in Verdict if x in curves | points]
-    headed(ax, "Energy-momentum diagram of a body of revolution", of_scene(scene, values),
-           [*verdicts, *_areas(int(count.max()))], 2, marks,
+    above, numbers = of_scene(scene, values)
+    headed(ax, "Energy-momentum diagram of a body of revolution", ([*above, *about], numbers),
+           [*verdicts, *_areas(int(count.max()), k3)], 2, marks,
            "The curves are regular precessions, and the points are E1 and E2")
     room(ax)
     written_at(ax, [("; ".join(several), place) for place, several in names.items()], MARKER)
@@ -163,10 +166,10 @@ def _focus(branch: RelativeEquilibrium) -> bool:
     return branch.decision.verdict is Verdict.UNSTABLE and branch.decision.notion == Notion.SPECTRAL
 
 
-def _areas(most: int) -> list[Any]:
+def _areas(most: int, k3: str) -> list[Any]:
     """What stands in the legend for the regions."""
     from matplotlib.patches import Patch
-    names = ("1 band of $k_3$", "2 bands", "3 bands or more")
+    names = (f"1 band of ${k3}$", "2 bands", "3 bands or more")
     return [Patch(facecolor=color, edgecolor="none", label=name)
             for color, name in list(zip(BANDS[1:], names))[:most]]
 

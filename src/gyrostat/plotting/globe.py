@@ -12,6 +12,9 @@ from .looks import DARK
 BACKGROUND, FADED = "#f4f7fb", 0.28
 # of a number, from its point, in radii; points of its letters
 OFF, NUMBERS = 0.12, 7.0
+# half the width of a digit and of a mark, in radii; in which order directions are tried, from the first one
+DIGIT, DOT = 0.03, 0.066
+TURNS = np.radians([0, *(side * turn for turn in range(20, 180, 20) for side in (1, -1)), 180])
 BESIDE = 0.12                                              # from the head of an axis to its name
 
 
@@ -151,20 +154,30 @@ def dots_on(ax: Any, points: Array, eye: Array, **style: Any) -> None:
             ax.plot(*some.T, **{**style, **look})
 
 
-
 def numbers_on(ax: Any, points: Sequence[tuple[int, Array]], eye: Array, radius: float = 1.0,
-               ways: Sequence[Array] | None = None) -> None:
-    """Write its number beside each point of a sphere; hidden ones are faded.
+               ways: Sequence[Array] | None = None, others: Sequence[Array] = ()) -> None:
+    """Write its number beside each point of a sphere, where no mark and no other number is; hidden are faded.
 
-    A way is the direction from the point to its number; None: beside the axis through the point.
+    A way is the direction from the point to its number, if there is room; None: beside the axis through the
+    point. Others are marks without a number.
     """
     halo = optional("matplotlib.patheffects", "plot").withStroke(linewidth=2, foreground=BACKGROUND)
+    sight = np.stack([(right := np.cross((0, 0, 1), eye) / np.hypot(*eye[:2])), np.cross(eye, right)])
+    taken = [(sight @ point / radius, np.full(2, DOT)) for point in [*(p for _, p in points), *others]]
     for (number, point), way in zip(points, ways or [_aside(point, eye) for _, point in points]):
         hidden = point @ eye < -1e-9
         if np.linalg.norm(way - way @ eye * eye) < 0.6:    # seen end on, the number would be on the point
             way = _aside(point, eye)
-        ax.text(*(point + OFF * radius * way), str(number), ha="center", va="center", fontsize=NUMBERS,
-                zorder=5, path_effects=[] if hidden else [halo], alpha=0.5 if hidden else 1)
+        extent = DIGIT * np.array([len(str(number)), 1.4])
+        start = np.arctan2(*(sight @ way)[::-1])
+        spots = [sight @ point / radius + (OFF + extent - extent[1]) * (np.cos(turn), np.sin(turn))
+                 for turn in start + TURNS]
+        room = [min(np.max(abs(spot - place) / (extent + half)) for place, half in taken) for spot in spots]
+        best = next((n for n, x in enumerate(room) if x >= 1), int(np.argmax(room)))
+        taken.append((spots[best], extent))
+        place = point + (spots[best] * radius - sight @ point) @ sight
+        ax.text(*place, str(number), ha="center", va="center", fontsize=NUMBERS, zorder=5,
+                path_effects=[] if hidden else [halo], alpha=0.5 if hidden else 1)
 
 
 def _aside(point: Array, eye: Array) -> Array:

@@ -6,7 +6,8 @@ from sympy import Float
 
 from ..algebra.text.numbers import exact_number
 from ..errors import optional
-from ..mechanics.families.circular_orbit import CircularOrbit, orbital_rate
+from ..mechanics.families.circular_orbit import CircularOrbit
+from ..mechanics.families.named_entries import named_entries
 from ..mechanics.scenes.potential import Potential
 from ..mechanics.scenes.system import System
 from ..notation import order, symbol
@@ -19,7 +20,6 @@ from ..typesetting import typeset
 
 # points of a line at 10 pt, as wide as a page and at least; lines of U
 ROOM, NARROWEST, LINES = 400.0, 150.0, 3
-MOMENTS, TENSOR = ("I1", "I2", "I3"), ("I11", "I22", "I33", "I23", "I31", "I12")
 
 
 def number(value: Any, exact: str = "") -> str:
@@ -44,6 +44,17 @@ def number(value: Any, exact: str = "") -> str:
     return {"1": shown, "-1": f"-{shown}"}.get(mantissa, rf"{mantissa} \times {shown}")
 
 
+def components_in(vector: Sequence[str]) -> str:
+    """Return the components of a vector as a formula, in which no minus after a comma is a binary one.
+
+    Examples
+    --------
+    >>> components_in(["1", "-1/2", "0"])
+    '$(1, {-1/2}, 0)$'
+    """
+    return f"$({', '.join(f'{{{x}}}' if x.startswith('-') else x for x in vector)})$"
+
+
 def numbers(values: Mapping[str, Any]) -> list[str]:
     """Return name = number for each value, in the order of the notation."""
     return [f"${typeset(name)} = {number(values[name])}$" for name in sorted(values, key=order)]
@@ -61,20 +72,12 @@ def field(latex: str, letter: str = "U") -> list[str]:
 
 def of_scene(scene: System, values: Mapping[str, Any]) -> tuple[list[str], list[str]]:
     """Return U, or that the body is in orbit, and the numbers of the body and the values."""
-    body, potential = scene.body, scene.potential
-    names = MOMENTS if len(body.entries) == 3 else TENSOR
-    entries = dict(zip(names, body.entries))
-    if potential is not None and body.entries[0] == body.entries[1]:
-        del entries[names[1]]
-    across, along = body.gyrostatic_momentum[:2], body.gyrostatic_momentum[2]
-    entries |= {"omega0": orbital_rate(scene)} if isinstance(potential, CircularOrbit) else {}
-    entries |= {"l": along} if not any(across) and along != symbol("l3") else dict(
-        zip(("l1", "l2", "l3"), body.gyrostatic_momentum))
+    entries = named_entries(scene)
     known = {name: entry for name, entry in entries.items() if not entry.free_symbols and entry != 0}
     made = [f"${typeset(name)} = {tex(entry, Names())}$" for name, entry in entries.items()
             if entry.free_symbols and entry != symbol(name)]
     given = {name: exact_number(x, name) for name, x in values.items()}
-    return _of_field(potential), [*made, *numbers(known | given)]
+    return _of_field(scene.potential), [*made, *numbers(known | given)]
 
 
 def of_sphere(scene: System, values: Mapping[str, Any], momentum: Any) -> tuple[list[str], list[str]]:
@@ -99,7 +102,7 @@ def of_motion(motion: Motion) -> tuple[list[str], list[str]]:
     potential = motion.scene.potential
     for i, name in enumerate(("pi", *(potential.directions if potential else ()))):
         part = motion.state[3 * i:3 * i + 3]
-        shown.append(rf"${typeset(name)}(0) = ({', '.join(map(number, part))})$")
+        shown.append(rf"${typeset(name)}(0) = {components_in(list(map(number, part)))[1:]}")
     return above, shown
 
 

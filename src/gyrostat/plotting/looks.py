@@ -1,17 +1,20 @@
 """Gives stable, unstable and undecided one look each, for areas, lines and markers; labels axes."""
+import re
 from collections.abc import Sequence
 from typing import Any
 
 from ..errors import ArgumentError, optional, require
 from ..notation import dimension_of
+from ..printing.formats.si_units import unit_of
 from ..stability.decision import Decision, Verdict
-from ..typesetting import typeset
+from ..typesetting import SUPERSCRIPTS, typeset
 
 DESTROYED = "destroyed by internal damping"            # what is stable, but not under it
 LOOKS = {"stable": ("#dce9f4", ""), "undecided": ("#f4dfb6", "////"), "unstable": ("#47566b", ""),
          "no_equilibrium": ("#ffffff", "....")}
 AREAS = {**LOOKS, DESTROYED: ("#efdcd6", "\\\\\\\\")}
 INK = {"undecided": "#8a6d2f", "no_equilibrium": "#a0a0a0", DESTROYED: "#a23b2a"}    # of the hatches
+PLAIN = {raised: plain for plain, raised in SUPERSCRIPTS.items()}
 MARKER = 6.5                                           # points across
 DARK, BLUE, GREY = "#1f2933", "#1d5b96", "#8592a0"
 LINES = {"stable": (BLUE, "-"), "unstable": (DARK, (0, (4, 2))), "undecided": (INK["undecided"], ":")}
@@ -76,6 +79,19 @@ def axis(name: str, dimension: tuple[int, int, int] | None = None) -> str:
     ('$\\omega$ $[\\mathrm{T^{-1}}]$', '$k_3$')
     """
     return with_dimension(label(name), dimension or dimension_of(name))
+
+
+def si_unit(name: str) -> str:
+    r"""The unit in SI of a quantity, as Matplotlib sets it; "" for a pure number or a parameter of the user.
+
+    Examples
+    --------
+    >>> si_unit("omega0"), si_unit("l"), si_unit("k3")
+    ('\\mathrm{rad/s}', '\\mathrm{kg\\,m^{2}\\,s^{-1}}', '')
+    """
+    unit = unit_of(name).translate(PLAIN)
+    raised = re.sub(r"(-?[0-9]+)", r"^{\1}", unit).replace(" ", r"\,")
+    return rf"\mathrm{{{raised}}}" if unit else ""
 
 
 def with_dimension(text: str, dimension: tuple[int, int, int] | None) -> str:

@@ -3,22 +3,24 @@ from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
-from sympy import Expr, ImmutableMatrix
+from sympy import Expr, ImmutableMatrix, discriminant
 
 from ..algebra.enclosures.floats import Array, in_floats, row
 from ..algebra.reals.exact import proved_sign
+from ..algebra.text.numbers import exact_number
 from ..arguments import checked
 from ..equilibria.curves.rotor_planes import fold_intervals, fold_squares, numbers_of_rotations_over
 from ..equilibria.finders.free import NU
 from ..equilibria.finders.rate_level_tilt import LENGTH, exact_point
-from ..errors import ScopeError, ValuesError
+from ..errors import ScopeError, ValuesError, brief
 from ..mechanics.scenes.body import Gyrostat
 from ..mechanics.scenes.system import System, assemble, at_numbers, names_of_scene
 from ..notation import components, symbol
+from ..stability.criteria.numbers_asked import names_in
 from .captions import headed
 from .energy_levels import in_principal_axes
 from .globe import curves_of
-from .headings import of_sphere
+from .headings import components_in, of_sphere
 from .looks import BLUE, DARK, axes_of, axis
 
 ARC, CELLS = 400, 120                                      # samples of an arc, of the plane each way
@@ -75,8 +77,8 @@ def draw_rotor_set(scene: System, values: Mapping[str, Any], ax: Any = None, **k
     >>> sorted({text.get_text() for text in ax.texts}), ax.get_xlabel()
     (['2', '4', '6'], '$l_1$ $[\\mathrm{M\\,L^{2}\\,T^{-1}}]$')
     """
-    standard, axes = _in_principal_axes(scene)
-    body, radius, free = _section(standard, values)
+    standard, axes, left = _in_principal_axes(scene, values)
+    body, radius, free = _section(standard, left)
     held = next(n for n in range(3) if n not in free)
     arcs = [_arc(body, radius, held, a, b) for a, b in fold_intervals(body, radius, held)]
     ax = axes_of(ax)
@@ -101,18 +103,29 @@ def draw_rotor_set(scene: System, values: Mapping[str, Any], ax: Any = None, **k
     return ax
 
 
-def _in_principal_axes(scene: System) -> tuple[System, list[str]]:
-    """Return the scene in principal axes, those of a tensor in doubles, and where these point."""
+def _in_principal_axes(scene: System, values: Mapping[str, Any]
+                       ) -> tuple[System, list[str], Mapping[str, Any]]:
+    """Return the scene in principal axes, of a tensor in doubles; where these point; the values left."""
     body = scene.body
     if scene.potential is not None or not isinstance(body.inertia, ImmutableMatrix):
-        return scene, []
+        return scene, [], values
     if body.gyrostatic_momentum != components("l"):
         raise ScopeError("the picture is a plane of components along principal axes, and the rotor of this "
                          f"tensor is {body.gyrostatic_momentum}: leave it out of the body, "
                          "Gyrostat(inertia), and give one of l1, l2, l3")
+    own = names_in(body.entries)
+    if missing := [name for name in own if name not in values]:
+        raise ValuesError(f"the tensor needs {', '.join(missing)}: give a number for each")
+    body = at_numbers(scene, {symbol(name): exact_number(values[name], name) for name in own}).body
+    level = body.tensor.charpoly().as_expr()
+    if proved_sign(discriminant(level)) == 0:
+        raise ScopeError(f"two principal moments of {brief(body.tensor.tolist())} are equal, and l may be "
+                         "turned about their axis; give three different ones")
     moments, R = in_principal_axes(body)
-    rows = [f"axis {n} $({', '.join(f'{x:.2f}' for x in row)})$" for n, row in enumerate(R, 1)]
-    return assemble(Gyrostat(moments.tolist())), rows
+    shown = [[f"{x:.2f}" for x in row] for row in R.round(2) + 0.0]        # no −0.00
+    rows = [f"axis {n} {components_in(row)}" for n, row in enumerate(shown, 1)]
+    return assemble(Gyrostat(moments.tolist())), rows, {
+        name: x for name, x in values.items() if name not in own}
 
 
 def _section(scene: System, values: Mapping[str, Any]) -> tuple[Gyrostat, Expr, list[int]]:

@@ -42,6 +42,15 @@ def test_no_hard_point_is_wrong_or_undecided(hard, backend, seed):
     assert all(codes == {1, -1} for codes in seen.values())
 
 
+def test_a_point_on_the_boundary_has_a_truth(hard):
+    """Of many: a coefficient that decides is never 0, whatever cancels by chance."""
+    hard_cases, _ = hard
+    for kind in hard_cases.KINDS:
+        rng = np.random.default_rng(5)
+        values = hard_cases.on_boundary(kind, 20000, rng)
+        assert set(hard_cases.truth(kind, "unspecified", values)[0]) == {1, -1}
+
+
 @pytest.mark.slow
 def test_the_truth_is_not_what_doubles_say(hard):
     """The cases are hard: the margin in doubles is wrong or silent in each of these families, so that they do

@@ -10,61 +10,13 @@ from flint import arb
 from satellites import rotation
 from slow import sampled
 from sympy import pi
+from torques_on_satellites import ONE, TURN, Satellite, in_axes, turned
 
 import gyrostat as gs
 from gyrostat.algebra.enclosures.precision import own_precision
+from gyrostat.equilibria.finders.orbit_torques import attitude_forms
 from gyrostat.equilibria.finders.orbital_form import balls
-
-TURN = [[F(2, 3), F(-1, 3), F(2, 3)], [F(2, 3), F(2, 3), F(-1, 3)], [F(-1, 3), F(2, 3), F(2, 3)]]
-ONE = [[F(int(i == j)) for j in range(3)] for i in range(3)]
-
-
-def turned(diagonal, turn):
-    """The tensor with moments along the rows of a rotation."""
-    return [[sum(x * row[i] * row[j] for x, row in zip(diagonal, turn)) for j in range(3)] for i in range(3)]
-
-
-def along(name, vector):
-    """The text of a scalar product with a direction."""
-    return " + ".join(f"({x})*{name}{i}" for i, x in enumerate(vector, 1))
-
-
-def in_axes(turn, vector):
-    """The components of a vector given along the rows of a rotation."""
-    return [sum(x * row[i] for x, row in zip(vector, turn)) for i in range(3)]
-
-
-def form(a, matrix, b):
-    """The text of ½ a·M b."""
-    return " + ".join(f"({x})/2*{a}{i}*{b}{j}" for i, row in enumerate(matrix, 1)
-                      for j, x in enumerate(row, 1))
-
-
-class Satellite:
-    """The same satellite for the library and for the oracle, ω0 = 1; a wheel is an axis, J and h."""
-
-    def __init__(self, tensor, rotor=(0, 0, 0), linear=None, forms=None, wheel=None):
-        parts = [along(a, v) for a, v in (linear or {}).items()]
-        parts += [form(a, m, b) for (a, b), m in (forms or {}).items()]
-        rotors = () if wheel is None else (gs.Rotor(wheel[0], axial=wheel[1], momentum=wheel[2]),)
-        body = gs.gyrostat_with_rotors(tensor, rotors, lumped=True) if rotors else gs.Gyrostat(tensor, rotor)
-        self.scene = gs.assemble(body, gs.circular_orbit(1, potential=" + ".join(parts) or 0, rotors=rotors))
-        locked, self.vector = np.array(tensor, float), np.zeros(9)
-        own = locked - float(wheel[1]) * np.outer(*[np.array(wheel[0], float)] * 2) if wheel else locked
-        self.matrix = np.zeros((9, 9))
-        self.matrix[3:6, 3:6], self.matrix[6:, 6:] = -own, 3 * locked
-        self.rotor = np.array(rotor if wheel is None else [wheel[2] * x for x in wheel[0]], float)
-        self.own, self.vector[3:6] = own, -self.rotor
-        for a, v in (linear or {}).items():
-            self.vector["tnr".index(a) * 3:][:3] += np.array(v, float)
-        for (a, b), m in (forms or {}).items():
-            i, j = "tnr".index(a) * 3, "tnr".index(b) * 3
-            self.matrix[i:i + 3, j:j + 3] += np.array(m, float) / 2
-            self.matrix[j:j + 3, i:i + 3] += np.array(m, float).T / 2
-
-    def found(self):
-        """All of its attitudes."""
-        return gs.relative_equilibria(self.scene, {})
+from gyrostat.equilibria.relative_equilibrium import RelativeEquilibrium
 
 
 def places(equilibria):
@@ -172,15 +124,15 @@ def test_a_tensor_is_answered_as_its_principal_axes_are():
 
 @pytest.mark.parametrize(("rotor", "count", "meet"), [((1, 0, 0), 20, 2), ((3, 0, 0), 16, 2)])
 def test_where_attitudes_meet(rotor, count, meet):
-    """At a fork, l = ω0 (I_j − I_i), three are one: it is found by exact algebra, and left open."""
+    """At a fork, l = ω0 (I_j − I_i), three are one: exact algebra finds it as the closed form does."""
     body = gs.Gyrostat((1, 2, 4), rotor)
-    constant = gs.circular_orbit(1, potential="(n1^2 + n2^2 + n3^2)/2")
-    equilibria = gs.relative_equilibria(gs.assemble(body, constant), {})
+    scene = gs.assemble(body, gs.circular_orbit(1))
+    equilibria = list(map(RelativeEquilibrium, attitude_forms(scene)))
     assert len(equilibria) == count
     singular = [e for e in equilibria if e.form.index is None]
     assert len(singular) == meet
-    assert {e.decision.verdict for e in singular} == {gs.Verdict.UNDECIDED}
-    closed = gs.relative_equilibria(gs.assemble(body, gs.circular_orbit(1)), {})
+    assert {e.decision.verdict for e in singular} <= {gs.Verdict.UNDECIDED, gs.Verdict.UNSTABLE}
+    closed = gs.relative_equilibria(scene, {})
     assert sorted(map(str, (e.point for e in closed))) == sorted(map(str, (e.point for e in equilibria)))
 
 
@@ -231,9 +183,11 @@ def test_rates_where_a_coefficient_of_the_spectrum_vanishes(c):
 @pytest.mark.parametrize(("inertia", "rotor", "potential", "what"), [
     ((1, 2, 3), (0, 0, 0), "n1^3", "degree above 2"),
     ((1, 2, 3), (0, 0, 0), "sqrt(2 + n1)", "no polynomial"),
-    ((1, 2, 3), (0, 0, 0), "sqrt(1 + sqrt(2))*t1", "as decimals"),
-    ((1, 1, 2), (0, 0, 1), "t3/3", "on curves"),
-    ([[2, 0, 0], [0, "3/2", "1/2"], [0, "1/2", "3/2"]], (0, 0, 0), "0", "on curves")])
+    ((1, 2, 3), (0, 0, 0), "sqrt(1 + sqrt(2))*t1 + n2", "as decimals"),
+    ((1, 1, 2), (0, 0, 0), "sqrt(2)*t3 + n3", "as decimals"),
+    ((1, 1, 1), (0, 0, 0), "n1 + r2", r"about .0, 0, 1. and the frame t, n, r about .-1, 0, 0."),
+    ((1, 1, 1), (0, 0, 1), "n3", "in every attitude"),
+    ((2, 1, "3/2"), (0, 2, 0), "t1^2 + t2^2/2 + 3*t3^2/4", "n × ∂V/∂n")])
 def test_what_is_refused(inertia, rotor, potential, what):
     """In at most 300 characters, with what there is instead."""
     scene = gs.assemble(gs.Gyrostat(inertia, rotor), gs.circular_orbit(1, potential=potential))

@@ -56,11 +56,14 @@ class FollowedRotations:
         whole = {e: sum((values**k * form[e] for k, form in enumerate(self._forms) if form[e]), arb(0))
                  for e in monomials(4)}
         equations = CriticalEquations(QuarticForm(whole))
-        for bits in PROOFS:
-            with own_precision(bits):
-                if equations.enclosed([acb(x) for x in q.tolist()]) is not None:
-                    return True
-        return False
+        return any(self._is_near(q, equations, bits) for bits in PROOFS)
+
+    def _is_near(self, q: Array, equations: CriticalEquations, bits: int) -> bool:
+        """Tell whether a box with one critical point is found around q, and not around another point."""
+        with own_precision(bits):
+            box = equations.enclosed([acb(x) for x in q.tolist()])
+        near = 2 ** (-bits // 2)
+        return box is not None and all(abs(float(x.real.mid()) - y) < near for x, y in zip(box, q))
 
     def _step(self, q: Array, s: float, to: float, halvings: int) -> Array:
         try:

@@ -14,7 +14,7 @@ from .quartic_forms import Form, minors, monomials, multiples
 
 FIRST = 1000                                           # value of the parameter; the next ones follow
 STEP, SPARE = 32, 6                                    # values; those which only confirm
-MOST = 600                                             # values modulo one prime
+MOST, LONGEST = 600, 200                               # values modulo one prime; primes
 ALWAYS = "two attitudes meet at every value of the name: give an attitude, steady_motion(scene, n, r)"
 TOO_LARGE = ("the polynomial whose roots are the values at which attitudes meet is too large: give numbers "
              "with fewer digits")
@@ -98,7 +98,7 @@ class MeetingPolynomial:
             degree = found.degree()
             return [int(c) for c in found.coeffs()]
 
-        if (coefficients := by_residues(residues)) is None:
+        if (coefficients := by_residues(residues, LONGEST)) is None:
             raise ScopeError(TOO_LARGE)
         return fmpq_poly([fmpq(c.numerator, c.denominator) for c in coefficients])
 

@@ -11,13 +11,15 @@ MOST = 1024                                            # of them
 GROWTH = 1.25                                          # of the number of primes between two attempts
 
 
-def by_residues(residues: Callable[[int], Sequence[int] | None]) -> list[Fraction] | None:
+def by_residues(residues: Callable[[int], Sequence[int] | None], most: int = MOST) -> list[Fraction] | None:
     """Return the fractions with given residues modulo a prime, once one more prime confirms all of them.
 
     Parameters
     ----------
     residues : callable
         takes a prime; None if it is not to be used; if it gives more residues, the fractions are those
+    most : int
+        how many primes are taken
 
     Returns
     -------
@@ -27,7 +29,7 @@ def by_residues(residues: Callable[[int], Sequence[int] | None]) -> list[Fractio
     modulus, count, attempt = 1, 0, 1.0
     whole: list[int] = []
     found: list[Fraction] = []
-    for p in islice(_primes(), MOST):
+    for p in islice(_primes(), most):
         if (values := residues(p)) is None:
             continue
         if len(values) > len(whole):

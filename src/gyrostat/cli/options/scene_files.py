@@ -43,8 +43,8 @@ def with_scene(given: argparse.Namespace) -> argparse.Namespace:
     options, table = vars(given), entries_of(scene_of_file(given.scene))
     if "orbit" in table and "orbit" not in options:
         raise ValuesError(f"the scene {given.scene} is in orbit, and {given.kind} shows a free body: name "
-                          "another scene; for a satellite plot eigenvalues draws the spectrum, and chart the "
-                          "verdicts")
+                          "another scene; of a satellite plot draws attitudes, librations, smelt-plane and "
+                          "eigenvalues, and chart the verdicts")
     taken = {name for name, x in options.items() if x is not None}
     if options.get("equilibrium") or options.get("point"):
         taken |= NAMING

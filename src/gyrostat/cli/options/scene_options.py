@@ -109,6 +109,28 @@ def a_scene(verb: argparse.ArgumentParser, meaning: str,
     numbers(verb, meaning)
 
 
+def a_motion(verb: argparse.ArgumentParser) -> None:
+    """Declare the options of a body, its state and its times."""
+    a_scene(verb, "I1, I3 or I1, I2, I3; l or l1, l2, l3; the names in U",
+           "none for a free body")
+    verb.add_argument("--state", metavar="PI1,PI2,PI3,K1,K2,K3",
+                      help="the exact state at time 0: pi is the momentum with the rotor locked, k the "
+                      "direction of the field in the body; for a free body PI1,PI2,PI3, in orbit "
+                      "PI1,PI2,PI3,N1,N2,N3,R1,R2,R3")
+    pointing(verb)
+    verb.add_argument("--release", metavar="ROLL,PITCH,YAW",
+                      help="instead of --state: start a satellite at rest in the frame of the orbit, turned "
+                      "by these angles, first by yaw and last by roll; '5 deg,0,0', or in rad without a unit")
+    verb.add_argument("--until", metavar="T", required=True,
+                      help="the last time; if it is negative, the motion goes back from 0")
+    among = verb.add_mutually_exclusive_group()
+    among.add_argument("--count", type=int, metavar="N",
+                       help="how many times from 0 to T; default: 201, for a curve 2001, for a film 150")
+    among.add_argument("--step", metavar="DT", help="the time from one to the next, instead of --count")
+    verb.add_argument("--tolerance", metavar="X",
+                      help="the largest error of a motion that is integrated numerically; default: 1e-3")
+
+
 def numbers(verb: argparse.ArgumentParser, meaning: str) -> None:
     """Declare numbers of names."""
     verb.add_argument("--set", action="extend", nargs="+", default=[], metavar="NAME=VALUE", dest="values",

@@ -9,7 +9,8 @@ from .scene_files import scene_of_file
 
 # a unit stands after a number, and a blank or none
 _AFTER_A_NUMBER = re.compile(r"[\d.)\]]\s*([A-Za-z_]+)")
-_OPTIONS = ("orbit", "inertia", "gyrostatic_momentum", "rotors", "point", "state", "until", "step")
+_OPTIONS = ("orbit", "inertia", "gyrostatic_momentum", "rotors", "point", "state", "until", "step", "x", "y",
+            "axis")
 
 
 def units_given(given: argparse.Namespace) -> bool:

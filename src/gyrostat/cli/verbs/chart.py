@@ -17,6 +17,7 @@ from ...stability.criteria.number_notes import scene_note
 from ..options.axis_option import axis_of
 from ..options.picture_options import Form, refuse_too_many_dots
 from ..options.scene_files import asked_of, with_scene
+from ..options.units_given import units_given
 from ..output import PICTURES, Output, file_of, printed_look
 
 DATA = (".nc", ".zarr")
@@ -48,7 +49,7 @@ def run(given: argparse.Namespace, out: Output) -> int:
         form = Form(path, path.suffix.removeprefix("."), given.width, given.dpi, given.title)
         with printed_look():
             figure = form.figure()
-            draw_chart(chart, figure.subplots())
+            draw_chart(chart, figure.subplots(), si=units_given(given))
             form.save(figure)
     elif store is None:
         packed = {"zlib": True, "complevel": 1}

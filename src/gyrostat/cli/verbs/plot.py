@@ -14,7 +14,7 @@ from ...mechanics.scenes.system import System
 from ...notation import symbol
 from ...questions.answers.equilibria import report_for
 from ...questions.given_numbers import numbers_of, one_spin
-from ...questions.scene_texts import Asked, scene_of
+from ...questions.scene_texts import Asked, pointing_of, scene_of
 from ...stability.criteria.number_notes import scene_note
 from ..options.axis_option import axis_of
 from ..options.motion_options import motion_of, times_of, whole_scene
@@ -120,17 +120,44 @@ def _cones(given: argparse.Namespace, numbers: Numbers, figure: Any) -> str:
     return _unusual(scene_of(Asked(NONE).of_body(())), {**numbers, "I2": numbers["I1"]})
 
 
+def _attitudes(given: argparse.Namespace, numbers: Numbers, figure: Any) -> str:
+    plotting.draw_attitudes(scene := _in_orbit(given, numbers), numbers, figure.add_subplot(**SPACE))
+    return _unusual(scene, numbers)
+
+
+def _librations(given: argparse.Namespace, numbers: Numbers, figure: Any) -> str:
+    _in_orbit(given, numbers)
+    moving, pointing = motion_of(given), pointing_of(given.pointing)
+    plotting.draw_librations(moving, times_of(given, POINTS), figure.subplots(), pointing=pointing)
+    return moving.note
+
+
+def _smelt_plane(given: argparse.Namespace, numbers: Numbers, figure: Any) -> str:
+    scene = _in_orbit(given, numbers)
+    plotting.draw_smelt_plane(ax=figure.subplots(), satellite=scene, values=numbers,
+                              pointing=pointing_of(given.pointing))
+    return _unusual(scene, numbers)
+
+
 def _unusual(scene: System, numbers: Numbers) -> str:
     """What is unusual about the numbers, as far as they are given."""
     return scene_note(scene, {symbol(name): number for name, number in numbers.items()})
+
+
+def _in_orbit(given: argparse.Namespace, names: Collection[str]) -> System:
+    """The scene that is given, in its orbit."""
+    if given.orbit is None:
+        raise ValuesError(f"--orbit is missing, and {given.kind} shows a satellite in a circular orbit: "
+                          "write --orbit 'height=500 km', or its rate, --orbit 1")
+    return scene_of(asked_of(given, names))
 
 
 def _in_a_field(given: argparse.Namespace, names: Collection[str]) -> System:
     """The scene that is given, with a field."""
     if given.orbit is not None:
         raise ValuesError(f"{given.kind} shows a body in a field fixed in space, and --orbit {given.orbit} "
-                          "is given: leave it out; for a satellite plot eigenvalues draws the spectrum, "
-                          "chart the verdicts, and motion how it moves")
+                          "is given: leave it out; of a satellite plot draws attitudes, librations, "
+                          "smelt-plane and eigenvalues, and chart the verdicts")
     if given.potential is None or given.potential.strip() == "none":
         raise ValuesError(f'--potential is {given.potential or "missing"}, and {given.kind} shows a body in '
                           'a field: write --potential "m0*k3"')
@@ -148,4 +175,5 @@ DRAWN: dict[str, Drawing] = {
     "bifurcations": _bifurcations, "rotor-set": _rotor_set,
     "staude-cone": _of_field(plotting.draw_staude_cone, **SPACE), "staude-plane": _staude_plane,
     "amended-potential": _of_field(plotting.draw_amended_potential, **SPACE),
-    "energy-momentum": _of_field(plotting.draw_energy_momentum), "eigenvalues": _eigenvalues, "cones": _cones}
+    "energy-momentum": _of_field(plotting.draw_energy_momentum), "eigenvalues": _eigenvalues, "cones": _cones,
+    "attitudes": _attitudes, "librations": _librations, "smelt-plane": _smelt_plane}

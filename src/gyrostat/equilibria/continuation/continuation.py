@@ -36,7 +36,8 @@ def continuation(scene: System, name: str, ends: tuple[Any, Any], values: Mappin
     24. Each mark says in `numbers` how many attitudes there are before and after it. The stations are the
     roots of a polynomial that is interpolated modulo primes; one more prime confirms its coefficients. An
     attitude at which K has two negative squares is UNDECIDED on its piece, because gyroscopic forces may
-    stabilise it on a part. One that exists at a single value is not looked for.
+    stabilise it on a part. One that exists at a single value is not looked for, and the ends of the range
+    have no marks.
 
     Parameters
     ----------

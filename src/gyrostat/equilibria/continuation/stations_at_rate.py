@@ -37,9 +37,8 @@ def admissible(positive: Iterable[Expr], numbers: Point, free: Symbol, low: Expr
         zeros = real_roots(placed, free) or []
         at_end = evaluate(placed, {free: low})
         if sign_of_constant(at_end) != 1 or any(within(zero, low, high) for zero in zeros):
-            raise ValuesError(f"{free} goes from {low} to {high}, and {moment} is a moment of inertia: "
-                              "give a range in which it is "
-                              "positive")
+            raise ValuesError(f"{free} goes from {low} to {high}, and {moment} has to be positive: "
+                              "give a range in which it is")
 
 
 def numbers_beside(scene: System, name: str, values: Mapping[str, Any], needed: set[str], what: str) -> Point:

@@ -5,5 +5,6 @@ says where an equilibrium lies, what decides it and in which words. `revolution`
 revolution in U(k3) (`revolution_form`), `free` the rotations of a free body (`free_form`). `heavy` finds
 those of any other body in a field (`heavy_form`): `heavy_levels` on a level of C1 (`level_rates`),
 `heavy_polynomials` in fields of any degree. `orbit` finds the attitudes of a satellite in the gravity
-gradient, `orbit_torques` in any other potential, `amended_orbit` (`orbital_form`).
+gradient, `one_torque` with one more torque in closed form, `orbit_torques` in any other potential,
+`amended_orbit` (`orbital_form`), and `circles_of_attitudes` if a turn is a symmetry.
 """

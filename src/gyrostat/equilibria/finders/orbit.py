@@ -10,17 +10,16 @@ from ...algebra.rings.matrices import cross
 from ...algebra.solving.real_fields import FieldNumbers
 from ...algebra.solving.sphere_zeros import zeros_on_sphere
 from ...errors import ScopeError, ValuesError
-from ...mechanics.families.circular_orbit import NORMAL, VERTICAL, by_gradient_alone, orbital_rate
+from ...mechanics.families.circular_orbit import NORMAL, VERTICAL, by_gradient_alone
 from ...mechanics.scenes.system import System, at_numbers, names_of_scene
 from ...notation import symbol
+from .one_torque import SIDES, in_principal_axes, one_torque
 from .orbital_form import OrbitalForm
 from .rate_level_tilt import exact_point
 
 N, R = (tuple(symbol(f"{x}{i}") for i in (1, 2, 3)) for x in (NORMAL, VERTICAL))
-CURVE = "a closed curve of equilibria, (l·r)² = 16 ω0² abs(r × Ir)²"
 ANY_FIELD = "equilibria.finders.orbit_torques:attitude_forms"
-SIDES = S.One, S.NegativeOne
-Vector = tuple[Expr, Expr, Expr]
+ORDER = "equilibria.finders.orbit_torques:by_energy"
 
 
 def orbit_forms(scene: System, values: Mapping[str, Any]) -> list[OrbitalForm]:
@@ -36,27 +35,25 @@ def orbit_forms(scene: System, values: Mapping[str, Any]) -> list[OrbitalForm]:
     if missing := sorted(needed - values.keys()):
         raise ValuesError(f"the scene needs {', '.join(missing)}: give a number for each")
     here = at_numbers(scene, dict(numbers))
-    if not by_gradient_alone(here):
+    if (torque := one_torque(here)) is None:
         return loaded(ANY_FIELD)(here)
-    rotor = [evaluate(x / orbital_rate(here), {}) for x in here.body.gyrostatic_momentum]
-    if isinstance(here.body.inertia, ImmutableMatrix):
-        if (found := _direction(here, rotor)) is None:
-            return loaded(ANY_FIELD)(here)
-        direction, scale = found
-        turned = here.body.tensor * ImmutableMatrix(direction)
-        across = ImmutableMatrix([direction, list(turned), list(here.body.tensor * turned)]).det()
-        return list(_tilted(here, direction, scale)) if across else loaded(ANY_FIELD)(here)
-    along = [i for i, x in enumerate(rotor) if x != 0]
-    axis = _axis_of_symmetry(here.body.moments)
-    if axis is not None and along in ([], [axis]):
-        return list(circles(here, axis, rotor[axis]))
-    if len(along) < 2:
-        place = (along or [0])[0]
-        return list(along_an_axis(here, place, rotor[place]))
-    if (found := _direction(here, rotor)) is None:
+    if (placed := in_principal_axes(here, torque)) is not None:
+        along, axis = [i for i, x in enumerate(placed.along) if x != 0], placed.axis_of_symmetry
+        forms = None
+        if axis is not None and along in ([], [axis]):
+            forms = list(placed.circles(axis))
+        elif len(along) < 2:
+            forms = list(placed.points((along or [0])[0]))
+        if forms is not None:
+            return forms if by_gradient_alone(here) else loaded(ORDER)(here, forms)
+    if torque.axis != 1 or (found := _direction(here, [-x for x in torque.vector])) is None:
         return loaded(ANY_FIELD)(here)
     direction, scale = found
-    return [*_tilted(here, direction, scale), *_principal(here, direction, scale, axis)]
+    if placed is not None and placed.rows is None:
+        return [*_tilted(here, direction, scale), *_principal(here, direction, scale, axis)]
+    turned = here.body.tensor * ImmutableMatrix(direction)
+    across = ImmutableMatrix([direction, list(turned), list(here.body.tensor * turned)]).det()
+    return list(_tilted(here, direction, scale)) if across else loaded(ANY_FIELD)(here)
 
 
 def _direction(scene: System, rotor: Sequence[Expr]) -> tuple[list[Expr], Expr] | None:
@@ -71,16 +68,6 @@ def _direction(scene: System, rotor: Sequence[Expr]) -> tuple[list[Expr], Expr] 
     if not all(isinstance(x, Rational) for x in (*numbers, *direction, evaluate(scale**2, {}))):
         return None
     return direction, scale
-
-
-def _axis_of_symmetry(moments: Sequence[Expr]) -> int | None:
-    """Return the axis whose moment the other two do not share; None if all are different."""
-    same = [i for i in range(3) if proved_sign(moments[i - 1] - moments[i - 2]) == 0]
-    if len(same) == 3:
-        raise ScopeError(f"the three moments are {moments[0]}, and no gravity gradient turns the satellite: "
-                         "it rests in every attitude in which l is along the normal n or against it, and "
-                         "without a rotor in every attitude: give one, steady_motion(scene, n, r)")
-    return same[0] if same else None
 
 
 def _tilted(scene: System, l: Sequence[Expr], scale: Expr) -> Iterator[OrbitalForm]:
@@ -127,56 +114,3 @@ def _principal(scene: System, l: Sequence[Expr], scale: Expr, axis: int | None
             if scale == 1 or proved_sign(evaluate(own * given * scale, dict(zip(N, n)))) != 1:
                 for side in SIDES:
                     yield OrbitalForm(scene, n, tuple(side * x / length for x in v))
-
-
-def along_an_axis(scene: System, axis: int, L: Expr) -> Iterator[OrbitalForm]:
-    """Yield the attitudes with the rotor ω0 L along an axis j that is none of symmetry; complete.
-
-    n is along j, r along another axis; or r is along k, n in the plane of i and j, n_j = L/(I_i − I_j); or t
-    is along i, n in the plane of j and k, n_j = L/(4 (I_k − I_j)). If L² = 4 (I_i − I_j) (I_k − I_j), a
-    closed curve joins those that are tilted.
-    """
-    moments = scene.body.moments
-    others = [i for i in range(3) if i != axis]
-    beyond = {i: moments[i] - moments[axis] for i in others}
-    locus = CURVE if L != 0 and proved_sign(L**2 - 4 * beyond[others[0]] * beyond[others[1]]) == 0 else ""
-    for i, k in (others, others[::-1]):
-        for up in SIDES:
-            for side in SIDES:
-                yield OrbitalForm(scene, _vector({axis: side}), _vector({k: up}))
-            for high, across in _tilts(L, beyond[i]):
-                yield OrbitalForm(scene, _vector({axis: high, i: across}), _vector({k: up}), locus)
-            for high, across in _tilts(L, 4 * beyond[k]):
-                vertical = _vector({axis: -up * across, k: up * high})
-                yield OrbitalForm(scene, _vector({axis: high, k: across}), vertical, locus)
-
-
-def circles(scene: System, axis: int, L: Expr) -> Iterator[OrbitalForm]:
-    """Yield a point of each circle of precessions of a body of revolution with its rotor ω0 L on its axis."""
-    i, k = (n for n in range(3) if n != axis)
-    beyond = scene.body.moments[i] - scene.body.moments[axis]
-    circle = f"a circle of equilibria about axis {axis + 1}, "
-    for side in SIDES:
-        yield OrbitalForm(scene, _vector({axis: side}), _vector({i: S.One}),
-                                 f"{circle}cylindrical precession")
-        for high, across in _tilts(L, beyond)[:1]:
-            yield OrbitalForm(scene, _vector({axis: high, i: across}), _vector({k: side}),
-                                     f"{circle}hyperbolic precession")
-        for high, across in _tilts(L, 4 * beyond)[:1]:
-            vertical = _vector({axis: side * across, i: -side * high})
-            yield OrbitalForm(scene, _vector({axis: high, i: across}), vertical,
-                                     f"{circle}conical precession")
-
-
-def _tilts(L: Expr, beyond: Expr) -> list[tuple[Expr, Expr]]:
-    """Return the component L/beyond of a unit vector and that across, of either sign; [] if there is none."""
-    if proved_sign(beyond**2 - L**2) != 1:
-        return []
-    high = evaluate(L / beyond, {})
-    across = evaluate(sqrt(1 - high**2), {})
-    return [(high, across), (high, -across)]
-
-
-def _vector(components: Mapping[int, Expr]) -> Vector:
-    first, second, third = (components.get(i, S.Zero) for i in range(3))
-    return first, second, third

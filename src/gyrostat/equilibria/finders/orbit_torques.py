@@ -1,4 +1,5 @@
 """Finds every attitude of a satellite with any tensor in a potential of degree 2 in n, r and t = n × r."""
+from collections.abc import Sequence
 from math import lcm
 
 from sympy import Add, Expr, Rational, S, expand
@@ -6,10 +7,13 @@ from sympy import Add, Expr, Rational, S, expand
 from ...algebra.reals.exact import evaluate
 from ...algebra.rotations.critical_rotations import critical_rotations
 from ...algebra.rotations.quartic_forms import QuarticForm, is_admitted, quartic
+from ...algebra.rotations.symmetries import symmetries
+from ...algebra.solving.real_fields import balls
 from ...errors import ScopeError
 from ...mechanics.families.circular_orbit import orbital_rate
 from ...mechanics.scenes.system import System
 from .amended_orbit import Exponents, amended_terms, energy
+from .circles_of_attitudes import circles_of
 from .orbital_form import OrbitalForm
 
 BITS, DIGITS = 128, 9                                  # of the order of the list
@@ -18,8 +22,8 @@ NOT_RATIONAL = ("all attitudes are found if the moments are rational, and l/omeg
                 "attitudes meet: give the numbers as decimals")
 NOT_QUADRATIC = ("the potential is of degree above 2 in n, r and t = n × r, and all attitudes are found up "
                  "to degree 2: give an attitude, steady_motion(scene, n, r)")
-CURVES = ("the attitudes lie on curves, or it is not proved that they do not: a torque vanishes identically, "
-          "as about the axis of a body of revolution; give an attitude, steady_motion(scene, n, r)")
+CURVES = ("the attitudes lie on curves, or it is not proved that they do not: they are where n × ∂V/∂n + "
+          "r × ∂V/∂r = 0, V = U − ω0² n·In/2; give one, steady_motion(scene, n, r)")
 
 
 def attitude_forms(scene: System) -> list[OrbitalForm]:
@@ -41,17 +45,26 @@ def attitude_forms(scene: System) -> list[OrbitalForm]:
     form = _form(scene)
     if form is None:
         raise ScopeError(NOT_QUADRATIC)
-    points = critical_rotations(form)
-    if points is None:
+    if turnings := symmetries(form):
+        if (circles := circles_of(scene, form, turnings)) is None:
+            raise ScopeError(NOT_RATIONAL)
+        return by_energy(scene, circles)
+    if (points := critical_rotations(form)) is None:
         raise ScopeError(NOT_RATIONAL if form.parts else CURVES)
-    heights = [float(energy(scene, point.balls(BITS), BITS).mid()) for point in points]
+    return by_energy(scene, [OrbitalForm(scene, point[:3], point[3:]) for point in points])
+
+
+def by_energy(scene: System, forms: Sequence[OrbitalForm]) -> list[OrbitalForm]:
+    """Return attitudes in the order of their amended potential, the least first, then of r and n."""
+    places = [[*balls(form.n, BITS), *balls(form.r, BITS)] for form in forms]
+    heights = [float(energy(scene, place, BITS).mid()) for place in places]
     size = max(map(abs, heights), default=1.0) or 1.0
 
     def order(n: int) -> tuple[float, ...]:
-        *normal, r1, r2, r3 = (round(float(x.mid()), DIGITS) for x in points[n].balls(BITS))
+        *normal, r1, r2, r3 = (round(float(x.mid()), DIGITS) for x in places[n])
         return round(heights[n] / size, DIGITS), -r3, -r2, -r1, *(-x for x in normal)
 
-    return [OrbitalForm(scene, points[n][:3], points[n][3:]) for n in sorted(range(len(points)), key=order)]
+    return [forms[n] for n in sorted(range(len(forms)), key=order)]
 
 
 def _form(scene: System) -> QuarticForm | None:

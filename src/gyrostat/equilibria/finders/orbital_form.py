@@ -1,9 +1,9 @@
 """Says what decides an attitude in which a satellite rests in the frame of its orbit, and in which words."""
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
-from sympy import Expr
+from sympy import Expr, ImmutableMatrix
 
 from ..._cached import cached_property
 from ..._lazy import loaded
@@ -11,18 +11,19 @@ from ...algebra.enclosures.balls import ball
 from ...algebra.enclosures.precision import doubled, own_precision
 from ...algebra.reals.exact import evaluate, proved_sign
 from ...algebra.rings.matrices import adjugate, cross
-from ...algebra.solving.real_fields import balls
+from ...algebra.solving.real_fields import FieldNumbers, balls
 from ...mechanics.families.circular_orbit import by_gradient_alone, orbital_rate, resting_at
 from ...mechanics.scenes.system import System
 from ...notation import symbol
 from ...stability.criteria.amended_form import Rows, dot, trace
-from ...stability.decision import Decision, Rung, settled, undecided
+from ...stability.decision import Decision, Rung, Verdict, settled, undecided
 from ...stability.form import PRECISION, Form, Invariants
 from ...stability.notion import Notion
 from ...stability.report.report import Report
-from ...stability.theorems.two_directions import DEGENERATE, HELD, on_curve
+from ...stability.theorems.two_directions import DEGENERATE, HELD
 
 OPEN = undecided(HELD)
+MODULO = "equilibria.finders.circles_of_attitudes:decided_modulo_turn"
 
 
 @dataclass(frozen=True)
@@ -38,6 +39,8 @@ class OrbitalForm(Form):
     locus : str
         "" for a point, else the curve of equilibria to which it belongs, in words; for a body of revolution
         the circle, and the verdict is modulo the turn about its axis
+    as_set : Decision or None
+        what is proved of that set: the energy is least on it, and K positive across it
     """
 
     LEAST = settled(True, "the energy has a minimum: K is positive definite", Rung.SECOND_VARIATION)
@@ -50,6 +53,7 @@ class OrbitalForm(Form):
     n: Sequence[Expr]
     r: Sequence[Expr]
     locus: str = ""
+    as_set: Decision | None = None
 
     @cached_property
     def directions(self) -> tuple[tuple[Expr, ...], ...]:
@@ -84,7 +88,7 @@ class OrbitalForm(Form):
     def invariants(self, precision: int | None) -> Invariants:
         """Return the invariants of K, and the coefficients of the sextic."""
         if not by_gradient_alone(self.scene):
-            return of_motion(*self._motion(precision))
+            return of_motion(*self.motion(precision))
         body, rate = self.scene.body, orbital_rate(self.scene)
         given = *body.tensor.tolist(), body.gyrostatic_momentum, self.n, self.r
         if precision is None:
@@ -93,7 +97,7 @@ class OrbitalForm(Form):
         *tensor, rotor, n, r = (balls(x, precision) for x in given)
         return invariants(tensor, rotor, n, r, ball(rate, precision))
 
-    def _motion(self, precision: int | None) -> tuple[Rows, Rows, Sequence[Any], Sequence[Any]]:
+    def motion(self, precision: int | None) -> tuple[Rows, Rows, Sequence[Any], Sequence[Any]]:
         """Return I, K, g and ω0 n of I θ̈ + g × θ̇ + K θ = 0, in body axes, in any potential."""
         body, rate = self.scene.body, orbital_rate(self.scene)
         given = *body.tensor.tolist(), body.gyrostatic_momentum, self.n, self.r, [rate]
@@ -109,20 +113,31 @@ class OrbitalForm(Form):
         Along such a curve K is degenerate.
         """
         if self.scene.linear_integrals:
-            return Report(self.equilibrium).verdict({})
+            quick = isinstance(self.n, FieldNumbers)       # a report at roots of polynomials is slow
+            if (found := loaded(MODULO)(self) if quick else None) is None:
+                found = Report(self.equilibrium).verdict({})
+            return found if self.as_set is None or found.verdict is not Verdict.UNDECIDED else self.as_set
         if not self.locus:
             return None
-        found = self.LEAVES if -1 in self.spectral_signs else on_curve(self.equilibrium, {})
-        return undecided(self.locus) if found is None else found
+        if self.as_set is not None:
+            return self.as_set
+        return self.LEAVES if -1 in self.spectral_signs else undecided(self.locus)
 
     def known_damped(self) -> Decision | None:
-        """Return the decision of its report under damping if there is an integral.
+        """Return the decision under damping if there is an integral, or on a set; None if K decides.
 
-        If another field acts, and K is degenerate, it is UNDECIDED.
+        In principal axes and the gravity gradient a report decides what K does not, else it is UNDECIDED: to
+        count growing modes exactly takes minutes there.
         """
+        principal = by_gradient_alone(self.scene) and not isinstance(self.scene.body.inertia, ImmutableMatrix)
         if self.scene.linear_integrals:
-            return Report(self.equilibrium).verdict({}, damped=True)
-        return undecided(DEGENERATE) if self.index is None and not by_gradient_alone(self.scene) else None
+            if principal:
+                return Report(self.equilibrium).verdict({}, damped=True)
+            if (found := loaded(MODULO)(self, damped=True)) is not None:
+                return found
+        if self.as_set is not None:
+            return replace(self.as_set, notion=Notion.SECULAR, growing=0)
+        return undecided(DEGENERATE) if self.index is None and not principal else None
 
     def held(self) -> Decision:
         """Return UNDECIDED: no theorem decides if gyroscopic forces alone stabilise it."""
@@ -144,7 +159,7 @@ class OrbitalForm(Form):
     def _unreached(self, precision: int | None) -> Sequence[Any]:
         """Return what vanishes if damping does not reach every motion."""
         if not by_gradient_alone(self.scene):
-            return left_by_turning(*self._motion(precision))
+            return left_by_turning(*self.motion(precision))
         given = *self.scene.body.tensor.tolist(), self.n, self.r
         if precision is None:
             *rows, n, r = given[:3] + self.directions

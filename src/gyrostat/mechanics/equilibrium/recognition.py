@@ -47,7 +47,7 @@ class Recognition:
     @cached_property
     def axis(self) -> Vector:
         """The unit vector c along the axis."""
-        return _unit(self.direction)
+        return unit(self.direction)
 
     @cached_property
     def rotation(self) -> ImmutableMatrix:
@@ -102,7 +102,7 @@ def recognise(scene: System, square_radius: Expr = S.One) -> Recognition | None:
     if scene.potential is None or scene.kind is not Kind.FIELD or not scene.potential.given:
         return None
     for direction in _directions(scene.body, scene.potential):
-        axis = _unit(direction)
+        axis = unit(direction)
         rotor = scene.body.gyrostatic_momentum
         if any(not vanishes(x) for x in hat(axis) * ImmutableMatrix(rotor)):
             continue
@@ -125,23 +125,39 @@ def _directions(body: Gyrostat, potential: Potential) -> Iterator[Vector]:
     Such an axis is a principal one. If all three moments are equal, it is that of l, or else of the field.
     """
     if isinstance(body.inertia, ImmutableMatrix):
-        yield from _of_tensor(body.inertia)
+        yield from axes_of_tensor(body.inertia)
         return
     equal = [vanishes(body.moments[place - 2] - body.moments[place - 1]) for place in range(3)]
     yield from (UNITS[place] for place in (2, 0, 1) if equal[place])
     if all(equal):
         free = all(map(vanishes, body.gyrostatic_momentum))
-        yield from _of_field(potential) if free else _direction(body.gyrostatic_momentum)
+        yield from _of_field(potential) if free else direction_along(body.gyrostatic_momentum)
 
 
-def _of_tensor(tensor: ImmutableMatrix) -> Iterator[Vector]:
+def axis_of_satellite(body: Gyrostat) -> tuple[Vector, ImmutableMatrix, Expr, Expr] | None:
+    """Return the axis c of a body of revolution, along which l is, R with R c = e3, and its two moments.
+
+    For a sphere c is along l. None if it is none, or names decide.
+    """
+    if isinstance(body.inertia, ImmutableMatrix):
+        found = list(axes_of_tensor(body.inertia))
+    else:
+        equal = [vanishes(body.moments[place - 2] - body.moments[place - 1]) for place in range(3)]
+        found = [UNITS[place] for place in (2, 0, 1) if equal[place]]
+        found = [*direction_along(body.gyrostatic_momentum), *found] if all(equal) else found
+    l = ImmutableMatrix(body.gyrostatic_momentum)
+    along = next((c for c in found if all(map(vanishes, hat(c) * l))), None)
+    return None if along is None else (unit(along), turned_up(unit(along)), *_moments_about(body, along))
+
+
+def axes_of_tensor(tensor: ImmutableMatrix) -> Iterator[Vector]:
     """Yield a vector along c if I = A + (C − A) c cᵀ."""
     yz, zx, xy = tensor[1, 2], tensor[2, 0], tensor[0, 1]
     products = [vanishes(e) for e in (yz, zx, xy)]
     if not any(products):
         across = [tensor[0, 0] - zx * xy / yz, tensor[1, 1] - xy * yz / zx, tensor[2, 2] - yz * zx / xy]
         if vanishes(across[0] - across[1]) and vanishes(across[1] - across[2]):
-            yield from _direction((zx * xy, xy * yz, yz * zx))
+            yield from direction_along((zx * xy, xy * yz, yz * zx))
     elif products.count(True) == 2:
         n = products.index(False)                          # axis n is principal, and one of those across
         i, j = (n + 1) % 3, (n + 2) % 3
@@ -149,13 +165,13 @@ def _of_tensor(tensor: ImmutableMatrix) -> Iterator[Vector]:
         if vanishes(a * b - c**2):
             axis = [S.Zero] * 3
             axis[i], axis[j] = a, c
-            yield from _direction(axis)
+            yield from direction_along(axis)
 
 
 def _moments_about(body: Gyrostat, direction: Vector) -> tuple[Expr, Expr]:
     """Return the moments across an axis of revolution and about it, in one spelling each."""
     if isinstance(body.inertia, ImmutableMatrix):
-        c = ImmutableMatrix(_unit(direction))
+        c = ImmutableMatrix(unit(direction))
         along = lowest(c.dot(body.tensor * c))
         return lowest((body.tensor.trace() - along) / 2), along
     place = UNITS.index(direction) if direction in UNITS else 2
@@ -174,13 +190,13 @@ def _of_field(potential: Potential) -> Iterator[Vector]:
     torques = [hat(k) * slope.xreplace(dict(zip(DIRECTIONS, k))) for k in PLACES]
     torques = [torque for torque in torques if all(x.is_finite for x in torque)]
     for first, second in combinations(torques, 2):
-        for direction in _direction(hat(first) * second):
+        for direction in direction_along(hat(first) * second):
             if all(vanishes(ImmutableMatrix(direction).dot(torque)) for torque in torques):
                 yield direction
             return
 
 
-def _direction(vector: Sequence[Expr]) -> Iterator[Vector]:
+def direction_along(vector: Sequence[Expr]) -> Iterator[Vector]:
     """Yield a vector along another, its first entry positive, of integers if that is possible.
 
     Nothing is yielded along 0, or if names decide.
@@ -196,7 +212,8 @@ def _direction(vector: Sequence[Expr]) -> Iterator[Vector]:
     yield tuple(scale * x for x in ratios)
 
 
-def _unit(direction: Vector) -> Vector:
+def unit(direction: Vector) -> Vector:
+    """Return the unit vector along another."""
     length = sqrt(sum(x**2 for x in direction))
     return tuple(lowest(x / length) for x in direction)
 

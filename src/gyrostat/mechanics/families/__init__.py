@@ -8,4 +8,5 @@ period, and `holding_rotor` lets it point at the Earth there, `held_attitude` by
 `orbital_precession` makes the precessions of a symmetric one, `release` lets one go. `scene_tables` reads a
 body, its field, an equilibrium and numbers from a table, as a [scene.NAME] of a file; its `scene_entries`
 with parts are rotors, an orbit and directions.
+`named_entries` are those of a body and its orbit by their names.
 """

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from numbers import Integral
 from typing import Any, ClassVar
 
-from sympy import Add, Expr, ImmutableMatrix, Rational, S, Symbol
+from sympy import Add, Expr, ImmutableMatrix, Rational, S, Symbol, expand
 
 from ...algebra.reals.exact import is_identically_zero
 from ...algebra.rings.matrices import cross
@@ -135,6 +135,15 @@ def _beside(potential: Any) -> tuple[Expr, Expr]:
 def by_gradient_alone(scene: System) -> bool:
     """Tell whether nothing but the gravity gradient acts on a satellite in orbit, with no free rotor."""
     return isinstance(scene.potential, CircularOrbit) and scene.potential.alone
+
+
+def acting_beside(scene: System) -> Expr:
+    """Return what acts on a satellite in orbit beside the gravity gradient of its tensor, as a potential."""
+    assert scene.potential is not None
+    r, rate = ImmutableMatrix(components(VERTICAL)), orbital_rate(scene)
+    own = Rational(3, 2) * rate**2 * r.dot(scene.body.tensor * r)
+    along = rate * Add(*(x * y for x, y in zip(components(NORMAL), scene.body.gyrostatic_momentum)))
+    return expand(scene.potential.expression - own + along)
 
 
 @checked

@@ -1,19 +1,20 @@
 """Precessions of a symmetric gyrostat in a circular orbit, and how its axis moves in the orbital frame."""
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
-from sympy import Expr, ImmutableMatrix, Rational, S, Symbol, sqrt
+from sympy import Add, Expr, ImmutableMatrix, Poly, S, Symbol, sqrt
 
+from ..._lazy import loaded
 from ...algebra.reals.exact import sign_of_constant
 from ...algebra.text.numbers import shown
 from ...arguments import checked
 from ...errors import EquilibriumError, ScopeError, brief
-from ...notation import symbol
+from ...notation import components, symbol
 from ..equilibrium.equilibrium import Equilibrium
 from ..scenes.body import Gyrostat
 from ..scenes.kind import Kind
 from ..scenes.potential import DIRECTIONS, Potential
 from ..scenes.system import System, system_of
-from .circular_orbit import along_velocity, by_gradient_alone, orbital_rate, resting_at
+from .circular_orbit import NORMAL, VERTICAL, along_velocity, orbital_rate, resting_at
 
 HEIGHT = symbol("n3")
 KINDS = ("cylindrical", "hyperbolic", "conical")
@@ -32,7 +33,7 @@ def orbital_precession(scene: System, kind: str) -> Equilibrium:
     Parameters
     ----------
     scene : System
-        of a body of revolution and circular_orbit()
+        of a body of revolution about any axis, its rotor along it, and circular_orbit()
     kind : str
         "cylindrical", "hyperbolic" or "conical"
 
@@ -62,22 +63,31 @@ def orbital_precession(scene: System, kind: str) -> Equilibrium:
     >>> print(gs.analyze(conical).sufficient)
     I₁ > I₃, modulo the flow of π₃
     """
-    I1, _, I3 = scene.body.moments
-    if scene.kind is not Kind.ORBIT or not scene.body.is_of_revolution():
-        raise ScopeError("orbital_precession is for a body of revolution in orbit, moments I1, I1, I3 and "
-                         "rotor 0, 0, l, and this scene is none: use assemble(symmetric_gyrostat(), "
-                         "circular_orbit())")
+    axis = loaded("mechanics.equilibrium.recognition:axis_of_satellite")
+    if scene.kind is not Kind.ORBIT or (found := axis(scene.body)) is None:
+        raise ScopeError("orbital_precession is for a body of revolution in orbit with the rotor along its "
+                         "axis, as moments I1, I1, I3 and rotor 0, 0, l, and this scene is none: use "
+                         "assemble(symmetric_gyrostat(), circular_orbit())")
+    c, turn, I1, I3 = found
     if kind not in KINDS:
         raise EquilibriumError(f"kind = {brief(kind)} is no precession: give one of {', '.join(KINDS)}")
     if kind == "cylindrical":
-        return Equilibrium(kind, scene, resting_at(scene, (0, 0, 1), (1, 0, 0)))
-    rotor = scene.body.gyrostatic_momentum[2]
+        point = _turned_to(scene, turn, (S.Zero, S.Zero, S.One), (S.One, S.Zero, S.Zero))
+        return Equilibrium(kind, scene, point)
+    rotor = Add(*(x * y for x, y in zip(c, scene.body.gyrostatic_momentum)))
     slope = (1 if kind == "hyperbolic" else 4) * (I1 - I3) * orbital_rate(scene)
     height, relations = _height(kind, rotor, slope)
     across = sqrt(1 - height**2)
     r = (S.Zero, S.One, S.Zero) if kind == "hyperbolic" else (-height, S.Zero, across)
-    return Equilibrium(kind, scene, resting_at(scene, (across, 0, height), r), relations,
-                       (1 - height**2,), tuple(name.name for name, _ in relations))
+    point = _turned_to(scene, turn, (across, S.Zero, height), r)
+    return Equilibrium(kind, scene, point, relations, (1 - height**2,),
+                       tuple(name.name for name, _ in relations))
+
+
+def _turned_to(scene: System, turn: ImmutableMatrix, n: Sequence[Expr], r: Sequence[Expr]
+               ) -> tuple[Expr, ...]:
+    """Return the point with n and r given in axes x' = R x of which the third is that of the body."""
+    return resting_at(scene, *(turn.T * ImmutableMatrix(x) for x in (n, r)))
 
 
 def _height(kind: str, rotor: Expr, slope: Expr) -> tuple[Expr, tuple[tuple[Symbol, Expr], ...]]:
@@ -101,9 +111,9 @@ def moving_axis(eq: Equilibrium, at: Callable[[Expr], Expr]) -> Equilibrium | No
     """Return where the axis of a symmetric body is in the orbital frame, as an equilibrium in one direction.
 
     The axis z moves as k does of a spherical body of the moment A across the axis, with the rotor −A ω0 e_n,
-    in U = (3/2) ω0² (C − A) z_r², on the level k·M = −P, where P is the momentum along the axis. The
-    components are those in the axes (t, n, r) of the frame; spatial components of M have the bracket of the
-    other sign, hence M → −M.
+    in the potential as a function of z, U = (3/2) ω0² (C − A) z_r² in the gravity gradient alone, on the
+    level k·M = −P, where P is the momentum along the axis. The components are those in the axes (t, n, r) of
+    the frame; spatial components of M have the bracket of the other sign, hence M → −M.
 
     Parameters
     ----------
@@ -115,30 +125,60 @@ def moving_axis(eq: Equilibrium, at: Callable[[Expr], Expr]) -> Equilibrium | No
     Returns
     -------
     Equilibrium or None
-        None where there is not one integral along a principal axis
+        None where there is not one integral, or U is of degree 3 or more in n and r
 
     References
     ----------
     Derived in docs/explanation/derivations/satellite.md, section 8, by Routh's reduction.
     """
     scene = eq.system
-    if not by_gradient_alone(scene) or len(scene.linear_integrals) != 1:
+    if scene.kind is not Kind.ORBIT or len(scene.linear_integrals) != 1:
         return None
-    gradient = scene.space.gradient(scene.linear_integrals[0]).flat()[:3]
-    if sum(x != 0 for x in gradient) != 1:
-        return None
-    axis = next(i for i, x in enumerate(gradient) if x != 0)
+    along = scene.space.gradient(scene.linear_integrals[0]).flat()[:3]
+    c = ImmutableMatrix([at(eq.insert(x)) for x in along])
+    axis = c / sqrt(c.dot(c))
     body = scene.body.changed(lambda x: at(eq.insert(x)))
-    along, across = body.tensor[axis, axis], body.tensor[axis - 1, axis - 1]
     point = [at(eq.insert(x)) for x in eq.point]
+    across = at((body.tensor.trace() - axis.dot(body.tensor * axis)) / 2)
     n, r = ImmutableMatrix(point[3:6]), ImmutableMatrix(point[6:])
     M = ImmutableMatrix(point[:3]) + ImmutableMatrix(body.gyrostatic_momentum)
     frame = [along_velocity(n, r), n, r]
     rate = at(eq.insert(orbital_rate(scene)))
     rotor = (S.Zero, -across * rate, S.Zero)
-    U = Potential(DIRECTIONS, Rational(3, 2) * rate**2 * (along - across) * DIRECTIONS[2] ** 2)
+    if (U := _of_axis(scene, axis, lambda x: at(eq.insert(x)))) is None:
+        return None
     pi = [-M.dot(a) - x for a, x in zip(frame, rotor)]
-    sphere = system_of(Gyrostat((across, across, across), rotor), U)
-    return Equilibrium("the axis in the frame of the orbit", sphere, (*pi, *(a[axis] for a in frame)))
+    sphere = system_of(Gyrostat((across, across, across), rotor), Potential(DIRECTIONS, U))
+    return Equilibrium("the axis in the frame of the orbit", sphere, (*pi, *(at(axis.dot(a)) for a in frame)))
 
 
+def _of_axis(scene: System, c: ImmutableMatrix, at: Callable[[Expr], Expr]) -> Expr | None:
+    """Return the potential without the rotor as a function of the axis z = (t·c, n·c, r·c).
+
+    It does not change as the body turns about c, so it is its mean: that of n·v is n·c v·c, that of a·Mb is
+    c·Mc (a·c)(b·c) + ½ (tr M − c·Mc)(a·b − (a·c)(b·c)), and for a = n, b = r and M = s × it is −(s·c) t·c.
+    """
+    assert scene.potential is not None
+    variables = (*components(NORMAL), *components(VERTICAL))
+    if not scene.potential.expression.is_polynomial(*variables):
+        return None
+    U = Poly(scene.potential.expression, *variables, domain="EX")     # n3 may name the height besides
+    if U.total_degree() > 2:
+        return None
+    l = [at(x) for x in scene.body.gyrostatic_momentum]
+    z, rate = DIRECTIONS, at(orbital_rate(scene))
+    found = Add(*(rate * x * y for x, y in zip(l, c))) * z[1]              # without −ω0 n·l
+    for exponents, factor in U.terms():
+        factor, places = at(factor), [divmod(i, 3) for i, e in enumerate(exponents) for _ in range(e)]
+        if len(places) == 1:
+            ((a, i),) = places
+            found += factor * c[i] * z[1 + a]
+        elif places:
+            (a, i), (b, j) = places
+            whole = c[i] * c[j]
+            rest = (int(i == j) - whole) / 2
+            found += factor * (whole - rest) * z[1 + a] * z[1 + b] + int(a == b) * factor * rest
+            if a != b and i != j:
+                k = 3 - i - j
+                found += factor * c[k] * z[0] / (2 if (j - i) % 3 == 1 else -2)
+    return at(found.expand())

@@ -7,6 +7,7 @@ from sympy import Abs, Expr, factor_terms
 
 from ..._lazy import loaded
 from ...algebra.reals.exact import sign_of_constant
+from ...errors import ValuesError
 from ...mechanics.scenes.kind import Kind
 from ...mechanics.scenes.system import names_of_scene
 from ...notation import symbol
@@ -15,6 +16,7 @@ from ...printing.formats.json_data import decision_data, number_data, strings
 from ...printing.glossary import term_blocks
 from ...printing.results.decision import note_blocks
 from ...stability.criteria.number_notes import scene_note
+from ...stability.criteria.numbers_asked import unknown
 from ...stability.decision import Rung
 from ..scene_texts import Asked, scene_of
 from .equilibrium_labels import named
@@ -22,17 +24,28 @@ from .equilibrium_labels import named
 if TYPE_CHECKING:
     from ...equilibria.curves.arc import Arc
 
+OF_MOTION = frozenset(("omega", "C1", "k1", "k2", "k3", "kc", "pi1_0", "pi2_0", "pi3_0", "pic_0", "omega3_0"))
+
 
 def arcs_at(asked: Asked, label: str | None, numbers: Mapping[str, Expr]) -> "Sequence[Arc]":
-    """Every arc of permanent rotations; none if something else is asked, or if U is not c·k."""
+    """Every arc of permanent rotations; none if something else is asked, or if U is not c·k.
+
+    Raises
+    ------
+    ValuesError
+        a name is none of the scene or of its motion
+    """
     scene = scene_of(asked)
     U = scene.potential
     if named(asked, label and [label]) or U is None or scene.kind is not Kind.FIELD or scene.unspecified:
         return []
-    if numbers.keys() != {s.name for s in names_of_scene(scene)}:
+    own = {s.name for s in names_of_scene(scene)}
+    if not numbers.keys() >= own or numbers.keys() & OF_MOTION:
         return []
     if any(x.free_symbols & set(scene.space.coordinates) for x in map(U.value, filter(None, U.gradient()))):
         return []
+    for name in numbers.keys() - own:
+        raise ValuesError(unknown(name, sorted(own), "the scene"))
     found: Sequence[Arc] = loaded("equilibria.curves.staude:staude_cone")(scene).arcs(numbers)
     return found
 

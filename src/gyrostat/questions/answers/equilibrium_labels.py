@@ -1,6 +1,7 @@
 """Finds the labels of equilibria: of those that are named, and of those that a scene is known to have."""
 from collections.abc import Collection, Sequence
 
+from ..._lazy import loaded
 from ...errors import ValuesError
 from ...mechanics.families.family import Family
 from ...mechanics.families.named_families import (
@@ -15,6 +16,7 @@ from ...mechanics.scenes.kind import Kind
 from ...mechanics.scenes.system import System
 from ..scene_texts import Asked, scene_of
 
+AXIS = "mechanics.equilibrium.recognition:axis_of_satellite"
 CLAIMED = "E"                                          # of an equilibrium that is given by its point
 
 
@@ -64,5 +66,5 @@ def labels_in_words(scene: System) -> str:
 def likely(scene: System) -> Collection[Family]:
     """The families that are tried if none is asked for."""
     if scene.kind is Kind.ORBIT:
-        return (EARTH_POINTING, *(PRECESSIONS if scene.body.is_of_revolution() else ()))
+        return (EARTH_POINTING, *(PRECESSIONS if loaded(AXIS)(scene.body) else ()))
     return PRINCIPAL if scene.kind is Kind.FREE else POLES.values()
