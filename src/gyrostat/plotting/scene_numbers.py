@@ -37,7 +37,7 @@ def in_own_axes(scene: System, values: Mapping[str, Any]) -> tuple[System, Mappi
     >>> scene = gs.assemble(gs.Gyrostat(T, (0, 0, 0)), field)
     >>> standard, left, *names = in_own_axes(scene, {"m0": 2, "C1": 1})
     >>> standard.body.moments, standard.potential.expression, left, names
-    ((2, 2, 1), 6*k3, {'C1': 1}, ['k \\\\cdot c', ['$c$ along $(1, 2, 2)$']])
+    ((2, 2, 1), 6*k3, {'C1': 1}, ['k \\cdot c', ['$c$ along $(1, 2, 2)$']])
     """
     if scene.kind is not Kind.FIELD or not scene.potential or not scene.potential.given:
         return scene, values, "k_3", []
