@@ -114,6 +114,17 @@ def test_what_is_printed_of_stable_and_unstable_speeds_is_true(axis):
     assert third.startswith("Nothing is proved for ") and "…" in third
 
 
+@pytest.mark.slow
+def test_an_end_at_which_a_sign_is_not_proved_is_undecided():
+    """A tensor in pounds and inches, whose ends are roots over a field of two square roots."""
+    tensor = "[[5.1e6, 1.2e5, -3e4], [1.2e5, 7.7e6, 2.2e4], [-3e4, 2.2e4, 3.9e6]] lb in^2"
+    body = gs.gyrostat_with_rotors(tensor, [gs.Rotor((0, 1, 0), "2 lb in^2", rate=S)], lumped=True)
+    found = gs.wheel_speeds(gs.assemble(body, gs.circular_orbit(height="400 km", body="moon")), "s")
+    (stable,), (*_, last) = found.undamped.stable, found.undamped.undecided
+    assert last.low == last.high == stable.low and not stable.low_if
+    assert [len(x) for x in (found.damped.stable, found.damped.unstable)] == [1, 2]
+
+
 def test_a_wheel_across_the_normal_holds_one_speed_at_most():
     """l·t = −ω0 t·I n: at that speed alone the attitude is held; a product of pitch and yaw needs more."""
     tensor = [[3, F(1, 2), 0], [F(1, 2), 4, 0], [0, 0, 2]]

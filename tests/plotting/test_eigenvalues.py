@@ -29,6 +29,12 @@ def agree(ours, theirs):
     np.testing.assert_allclose(theirs, 0, atol=1e-6)
 
 
+def test_a_parameter_that_is_none_is_refused():
+    """The spectrum does not depend on it."""
+    with pytest.raises(ValuesError, match="the spectrum of E1 has no parameter nothing"):
+        draw_eigenvalues(TOP, "nothing", [0, 1], {**SLEEPING, "omega3_0": 1}, Figure().subplots())
+
+
 def test_the_sleeping_top():
     """The six eigenvalues of the Euler-Poisson field are ours and two zeros."""
     found = spectrum(TOP, "omega3_0", np.linspace(2.3, 0.1, 23), SLEEPING)

@@ -48,10 +48,10 @@ def test_marks_that_nearly_coincide_are_around_each_other(three):
 
 def test_rotations_that_are_about_to_meet_are_all_seen():
     """Three of them near a pitchfork, a saddle between two minima: each has a size of its own."""
-    scene = gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, "-499999/1000000")))
+    scene = gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, "-4999/10000")))
     ax = plotting.draw_momentum_sphere(scene, 1, ax=space())
     found = [(place, size) for place, size, _ in marks(ax)]
-    near = [sorted(size for other, size in found if np.linalg.norm(place - other) < 2)
+    near = [sorted(size for other, size in found if np.linalg.norm(place - other) < 4)
             for place, _ in found]
     assert max(map(len, near)) == 3 and all(len(set(sizes)) == len(sizes) for sizes in near)
 
@@ -77,3 +77,21 @@ def test_numbers_lie_on_no_mark_and_on_no_number(inertia, rotor, other):
     for n, (middle, half) in enumerate(boxes):
         assert not any((abs(place - middle) < half).all() for place, *_ in marks(ax)), n
         assert not any((abs(there - middle) < half + wide).all() for there, wide in boxes[:n]), n
+
+
+@pytest.mark.parametrize("size", [(3.4, 3), (6.4, 4.8)])
+def test_a_tall_title_is_on_the_figure(size):
+    """Of a tensor, on a figure without a layout: savefig cuts off what is beyond its edge."""
+    tensor = [["62.13", "1.31", "-0.83"], ["1.31", "58.07", "0.29"], ["-0.83", "0.29", "30.01"]]
+    for three in (True, False):
+        ax = Figure(figsize=size).add_subplot(projection="3d" if three else None)
+        if three:
+            body = gs.Gyrostat(tensor, ("1/7", "2/13", "3/11"))
+            plotting.draw_momentum_sphere(gs.assemble(body), 11, ax=ax)
+        else:
+            plotting.draw_rotor_set(gs.assemble(gs.Gyrostat(tensor)), {"l1": "1/17", "M": "22/7"}, ax)
+        canvas = FigureCanvasAgg(ax.figure)
+        canvas.draw()
+        for part in (ax.title, ax.get_legend(), *(() if three else (ax.xaxis.label, ax.yaxis.label))):
+            box = part.get_window_extent(canvas.get_renderer())
+            assert box.x0 >= 0 and box.y0 >= 0 and (box.max <= ax.figure.bbox.max).all(), part

@@ -26,11 +26,12 @@ Cell = tuple[Expr, Expr, bool | None]
 
 
 def cut(report: Report, x: Symbol, numbers: Point, low: Expr | None, high: Expr | None,
-        also: Sequence[Expr] = (), damped: bool = False) -> list[Cell]:
+        also: Sequence[Expr] = (), damped: bool = False, doubt: bool = False) -> list[Cell]:
     """Return the cells between and at the roots of everything whose sign matters, with damping or without.
 
     At an end at which the second variation is degenerate, what damping does is left undecided if numbers with
-    more than a square root are in it, since the modes that grow take minutes to count.
+    more than a square root are in it, since the modes that grow take minutes to count. If a sign is not
+    proved, a ScopeError is raised, or, if doubt is admitted, the cell is undecided.
     """
     criteria = (report.necessary, report.sufficient, *((report.damped,) if damped else ()))
     conditions = [c for criterion in criteria for a in criterion.alternatives for c in a]
@@ -53,7 +54,12 @@ def cut(report: Report, x: Symbol, numbers: Point, low: Expr | None, high: Expr 
         roots = square_roots(at.values()) if damped else set()
         if (roots is None or len(roots) > 1) and sign_of_constant(evaluate(determinant, at)) == 0:
             return undecided("the second variation is degenerate")
-        return _decision(report, x, numbers, value, damped)
+        try:
+            return _decision(report, x, numbers, value, damped)
+        except ScopeError:
+            if not doubt:
+                raise
+            return undecided("a sign is not proved")
 
     return list(_cells(decided, bounds, cache(partial(_in_window, report, x, numbers, low, high))))
 

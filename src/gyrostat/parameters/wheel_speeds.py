@@ -168,7 +168,7 @@ def wheel_speeds(scene: System, name: str, roll: int = 1, pitch: int = 2, yaw: i
             cells = [(only, only, stable_at(report, LEVEL, level, numbers, damped))]
         else:
             cells = [_in_speeds(cell, n.dot(still), along, rate)
-                     for cell in cut(report, LEVEL, numbers, None, None, damped=damped)]
+                     for cell in cut(report, LEVEL, numbers, None, None, damped=damped, doubt=True)]
             cells = cells if proved_sign(along) == 1 else cells[::-1]
         return SpeedSets(*(joined(cells, wanted) for wanted in (True, False, None)))
 

@@ -9,6 +9,7 @@ from ..printing.formats.linebreaks import width
 from .beside import Marks, written_beside
 
 PART, SMALLEST = 0.24, 5.0                             # of a figure, the most; points of letters
+EDGE, LEAST, ROUNDS = 0.01, 0.2, 3                     # of the figure: the margin, and axes at least
 SWATCH = 3.6                                           # line and gaps of a legend, in sizes of its letters
 
 
@@ -31,6 +32,9 @@ def legend(ax: Any, handles: Sequence[Any], columns: int | None = None,
     listed, beside = list(handles), list(marks)
     while True:
         _rows(ax, listed, columns, title)
+        for _ in range(ROUNDS):                        # title and legend follow the width of the axes
+            if _within(ax):
+                _rows(ax, listed, columns, title)
         if not beside:
             return
         room(ax)                                       # names are placed on axes that leave room for the rows
@@ -80,6 +84,25 @@ def _legend(ax: Any, handles: Sequence[Any], most: int, space: float, **where: A
             return size, -(-len(handles) // columns)
         size *= 0.9
         columns = _columns(handles, most, space / size)
+
+
+def _within(ax: Any) -> bool:
+    """Make axes smaller, so that all of them is on the figure if no layout does that; whether they are.
+
+    savefig cuts off what is beyond its edge.
+    """
+    figure = ax.get_figure(root=True)
+    if figure.get_layout_engine() is not None or ax.get_subplotspec() is None:
+        return False
+    drawn, (wide, high) = ax.get_tightbbox(), figure.bbox.size
+    place = ax.get_position(original=True)
+    left, below = max(0.0, EDGE - drawn.x0 / wide), max(0.0, EDGE - drawn.y0 / high)
+    above = max(0.0, drawn.y1 / high - 1 + EDGE)
+    width, height = place.width - left, place.height - below - above
+    if not left + below + above or min(width, height) < LEAST:
+        return False
+    ax.set_position((place.x0 + left, place.y0 + below, width, height))
+    return True
 
 
 def room(ax: Any) -> float:

@@ -8,6 +8,7 @@ from ..errors import optional
 
 NEAR = 0.55                                            # of a mark: closer than that, one covers the other
 EXTENT_FREE = ("None", "none", "", ".", ",")           # dots, and no marks at all
+SAME = 0.5                                             # pixels: the same mark twice
 WIDER = 5.0                                            # points across, from one to the one around it
 
 
@@ -20,10 +21,15 @@ def nest(ax: Any) -> None:
              if _is_of_marks(line) for n, place in enumerate(_places(ax, line)) if np.isfinite(place).all()]
     pixels = ax.get_figure(root=True).dpi / 72
     levels: list[int] = []
+    halo = optional("matplotlib.patheffects", "plot").withStroke(linewidth=2.5, foreground="white")
     for line, _, place in marks:
         near = NEAR * line.get_markersize() * pixels
-        levels.append(max((level + 1 for level, (_, _, other) in zip(levels, marks)
-                           if np.hypot(*(place - other)) < near), default=0))
+        above = [(level, upper) for level, (upper, _, other) in zip(levels, marks)
+                 if np.hypot(*(place - other)) < near
+                 and (upper is not line or np.hypot(*(place - other)) > SAME)]
+        levels.append(max((level + 1 for level, _ in above), default=0))
+        for _, upper in above:                         # parts it from what is around it
+            upper.set_path_effects([halo])
     for line in {line: None for (line, _, _), level in zip(marks, levels) if level}:
         _parted(ax, line, np.array([level for (own, _, _), level in zip(marks, levels) if own is line]))
 

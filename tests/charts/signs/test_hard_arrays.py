@@ -46,9 +46,9 @@ def test_a_point_on_the_boundary_has_a_truth(hard):
     """Of many: a coefficient that decides is never 0, whatever cancels by chance."""
     hard_cases, _ = hard
     for kind in hard_cases.KINDS:
-        rng = np.random.default_rng(5)
-        values = hard_cases.on_boundary(kind, 20000, rng)
-        assert set(hard_cases.truth(kind, "unspecified", values)[0]) == {1, -1}
+        for seed in (0, 9):                            # something cancels in both vertical kinds, in E3
+            values = hard_cases.on_boundary(kind, 4000, np.random.default_rng(seed))
+            assert set(hard_cases.truth(kind, "unspecified", values)[0]) == {1, -1}
 
 
 @pytest.mark.slow

@@ -112,6 +112,12 @@ def test_wheels_on_the_command_line_are_those_of_a_file(capsys, tmp_path):
     with_wheel = run(capsys, "--scene", str(path), "--wheel", "axis=1,0,0 inertia=1 kg m^2 momentum=0 N m s",
                      "--momentum", "20 N m s", verb="decide")
     assert with_wheel[0] == 0 and with_wheel[1] != outs[0]
+    old.write_text(FILES["sheet.toml"] + '\n[scene.given]\ninertia = "1, 2, 3 kg m^2"\n'
+                   'gyrostatic_momentum = "0, 0, 3 N m s"\n')
+    one = "--wheel", "axis=1,0,0 inertia=1/9 kg m^2 momentum=2 N m s", "--momentum", "20 N m s"
+    asked = [run(capsys, *scene, *one, verb="decide")[1] for scene in (
+        ("--scene", f"{old}#given"), ("--potential", "none", "--inertia", "1, 2, 3 kg m^2"))]
+    assert asked[0] == asked[1] != ""
 
 
 @pytest.mark.slow

@@ -18,6 +18,11 @@ def test_the_speed_of_a_wheel_is_a_sentence_with_a_decimal_and_a_unit(capsys):
              "--solve-for", "s")
     _, out, _ = run(capsys, *plain, verb="conditions")
     assert "Stable for s above 40.\n" in out and "rpm" not in out
+    for given, unit in (("speed=s", "rad/s"), ("momentum=s", "kg m² s⁻¹")):
+        asked = ("--potential", "f*t1", "--set", "f=0.00001 N m", "--solve-for", "s",
+                 "--wheel", f"axis=0,1,0 inertia=0.02 kg m^2 {given}")
+        _, out, _ = run(capsys, *SHEET[:2], "--inertia", "62,71,38 kg m^2", *asked, verb="conditions")
+        assert f"\n  s is in {unit}." in out
     _, out, _ = run(capsys, *plain, "--orbit", "omega0", verb="conditions")
     assert "Stable by the second variation" in out
 

@@ -221,3 +221,28 @@ def test_a_scene_file(drawn, monkeypatch, tmp_path):
     assert "$l = 1/4" in ax.get_title()
     ax = drawn("librations", "--scene", f"{path}#one", "--until", "1")
     assert ax.lines[0].get_ydata()[0] == pytest.approx(3)
+
+
+@pytest.mark.parametrize(("orbit", "rate"), [
+    ("height=500 km", (3.986004418e14 / 6878136.6**3) ** 0.5), ("period=95 min", 2 * np.pi / 5700),
+    ("0.0012345678 rad/s", 0.0012345678), ("1/3", 1 / 3)])
+def test_a_chart_has_the_rate_of_the_orbit_and_units(capsys, tmp_path, monkeypatch, orbit, rate):
+    """In its title, with four digits, beside the moments that are no axes; units where they are given."""
+    figures = []
+    monkeypatch.setattr("gyrostat.cli.options.picture_options.save_picture",
+                        lambda figure, *form: figures.append(figure))
+    units = orbit != "1/3"
+    moment, momentum = (" kg m^2", " N m s") if units else ("", "")
+    status, _, err = run(capsys, "--orbit", orbit, "--inertia", f"60{moment},I2{moment},35{moment}".replace(
+        f"I2{moment}", "I2"), "--x", f"I2=30{moment}:100{moment}:5", "--y", f"l=-1{momentum}:1{momentum}:5",
+        "--output", str(tmp_path / "x.png"), verb="chart")
+    assert (status, err) == (0, "")
+    ax = figures[0].axes[0]
+    title = ax.get_title().replace("\n", " ")
+    said = re.search(r"\\omega_0 = ([0-9./]+)", title)[1].split("/")
+    assert float(said[0]) / float((said + ["1"])[1]) == pytest.approx(rate, rel=6e-4)
+    assert "in orbit" in title and "I_1 = 60" in title and "I_3 = 35" in title
+    assert (r"60\,\mathrm{kg\,m^{2}}" in title) == (r"\mathrm{rad/s}" in title) == units
+    assert ax.get_xlabel() == (r"$I_2$ $[\mathrm{kg\,m^{2}}]$" if units else r"$I_2$ $[\mathrm{M\,L^{2}}]$")
+    assert ax.get_ylabel() == (r"$l$ $[\mathrm{kg\,m^{2}\,s^{-1}}]$" if units
+                               else r"$l$ $[\mathrm{M\,L^{2}\,T^{-1}}]$")

@@ -65,7 +65,7 @@ def test_a_turned_body_has_the_same_verdicts(kind):
 
 
 def check(arcs, c, rotor, omegas):
-    """Newton's method finds, in the axes of the tensor, what the arcs have, and no more."""
+    """Newton's method finds, in the axes of the tensor, what the arcs have, no more, and their verdicts."""
     found, c, rotor = 0, [Fraction(x) for x in c], [Fraction(x) for x in rotor]
     tensor = np.array(SLANTED, float)
     for omega in omegas:
@@ -73,11 +73,17 @@ def check(arcs, c, rotor, omegas):
         here = []
         for arc in arcs:
             values = at_rate(arc, omega) if arc.both_ways else [omega]
-            here += [arc.near(Fraction(x)).k for x in values if arc.low < x < arc.high]
+            here += [(arc.near(Fraction(x)).k, next(p.decision for p in arc.pieces if p.low < x < p.high))
+                     for x in values if arc.low < x < arc.high]
         known = heavy.directions(*data, starts=60)
         assert len(known) == len(here)
         for k in known:
-            assert min(np.abs(k - np.array(place)).max() for place in here) < 1e-6
+            apart = [np.abs(k - np.array(place)).max() for place, _ in here]
+            assert min(apart) < 1e-6
+            _, decision = here[np.argmin(apart)]
+            theirs = heavy.verdict(*data, k)                # UNDECIDED: normal forms may decide it
+            assert theirs is None or decision.unstable == (theirs == "UNSTABLE")
+            assert theirs != "STABLE" or decision.stable
             found += 1
     return found
 

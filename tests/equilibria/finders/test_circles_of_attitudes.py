@@ -25,6 +25,8 @@ def draw(rng, kind):
     if kind == "axial":
         tensor = [[F(int(i == j == 2)) * some() for j in range(3)] for i in range(3)]
         return (A, A, C), up(some()), {a: up(some()) for a in "tnr"}, {("n", "n"): tensor}
+    if kind == "vertical":
+        return (A, A, C), up(F(0)), {"r": up(some() / 7)}, {("r", "r"): [[F(0)] * 3, [F(0)] * 3, up(some())]}
     if kind == "ball":
         return (A, A, A), up(some()), {}, {}
     return (A, A, C), up(some() / 3), {"n": up(some() / 4)}, {}
@@ -37,24 +39,28 @@ def matrices(equilibria):
 
 def signs_of(satellite, R):
     """The eigenvalues of K at a rotation."""
+    return np.linalg.eigvalsh(stiffness(satellite, R))
+
+
+def stiffness(satellite, R):
+    """K at a rotation."""
     bend = torque(R[None], satellite.matrix, satellite.vector)[1][0]
-    return np.linalg.eigvalsh(-(bend + bend.T) / 2)
+    return -(bend + bend.T) / 2
 
 
 def growth(satellite, tensor, rotor, R):
     """The largest real part of an eigenvalue of I θ̈ + g × θ̇ + K θ = 0, ω0 = 1."""
     I, l = np.array(tensor, float), np.array(rotor, float)
-    bend = torque(R[None], satellite.matrix, satellite.vector)[1][0]
     g = np.trace(I) * R[1] - 2 * I @ R[1] - l
     hat = np.array([[0, -g[2], g[1]], [g[2], 0, -g[0]], [-g[1], g[0], 0]])
     back = np.linalg.inv(I)
-    motion = np.block([[np.zeros((3, 3)), np.eye(3)], [back @ (bend + bend.T) / 2, -back @ hat]])
+    motion = np.block([[np.zeros((3, 3)), np.eye(3)], [-back @ stiffness(satellite, R), -back @ hat]])
     return np.linalg.eigvals(motion).real.max()
 
 
 @pytest.mark.few(4)
 @pytest.mark.parametrize("seed", range(4))
-@pytest.mark.parametrize("kind", ["one torque", "axial", "ball"])
+@pytest.mark.parametrize("kind", ["one torque", "axial", "ball", "vertical"])
 def test_circles_of_a_body_of_revolution(kind, seed):
     """Newton's method ends on no other circle, Σ (−1)^index is 2 on the sphere of the axis, and verdicts.
 
@@ -79,7 +85,9 @@ def test_circles_of_a_body_of_revolution(kind, seed):
             assert min(map(abs, K)) > 1e-6
             count += (-1) ** sum(x < 0 for x in K)
             assert e.decision.unstable == (growth(satellite, tensor, l, R) > 1e-4)
-            assert e.decision.stable or not min(K) > 0
+            across = np.cross(c, R[1]) * float(moments[2])**0.5
+            H = sorted(np.linalg.eigvalsh(stiffness(satellite, R) + np.outer(across, across)), key=abs)[1:]
+            assert e.decision.stable or not min(H) > 0
             assert e.damped.stable == (min(K) > 0)
         assert count == 2
         answers.append(sorted((*(round(x, 6) + 0.0 for x in z), e.decision.verdict.name, e.decision.rung.name,
@@ -92,9 +100,10 @@ def on_closed_curve(rng, e):
     f, g = (x for x in "tnr" if x != e)
     p, q = WEIGHTS[f] - WEIGHTS[e], WEIGHTS[g] - WEIGHTS[e]
     s, u = F(rng.randint(1, 9), 10), F(rng.randint(1, 9), 10)
-    while p**2 * s**2 in (q**2 * u**2, F(p, q) * q**2 * u**2) or p * s**2 == q * u**2:
+    while s == u or p**2 * s**2 == q**2 * u**2:            # there it meets an attitude with e along e_j
         u += F(1, 7)
-    a, b, v = p * s**2, q * u**2, p * q * s * u
+    side = rng.choice((-1, 1))
+    a, b, v = side * p * s**2, side * q * u**2, p * q * s * u
     own = max(0, -a, -b) + F(rng.randint(5, 20), 4)
     j = rng.randrange(3)
     moments = [own] * 3
@@ -103,13 +112,15 @@ def on_closed_curve(rng, e):
     return moments, j, v, p, q, f, g
 
 
+@pytest.mark.few(4)
+@pytest.mark.parametrize("seed", range(4))
 @pytest.mark.parametrize("e", "tnr")
-def test_a_closed_curve(e):
+def test_a_closed_curve(e, seed):
     """Where K is singular, the equations of the curve hold, and only there; isolated attitudes are beside it.
 
     Along the normal v is that of a dipole; the same in turned axes.
     """
-    rng = Random(e)
+    rng = Random(f"{e} {seed}")
     moments, j, v, p, q, f, g = on_closed_curve(rng, e)
     vector = [v * (i == j) for i in range(3)]
     answers = []
@@ -174,3 +185,63 @@ def test_attitudes_along_a_closed_curve():
         assert max(abs(whole[0, 2]), abs(whole[0, 1] + l[0]), abs(4 * whole[2, 1] + l[2])) < mp.mpf(10) ** -40
         done += 1
     assert done > 5
+
+
+def test_axes_whose_length_is_irrational():
+    """Along (1, 1, 0) torques have √2 in them: the same as along axis 3, by decimals of the same torques."""
+    tensor = [[F(3, 2), F(1, 2), 0], [F(1, 2), F(3, 2), 0], [0, 0, 1]]
+    given = Satellite(tensor, (F(1, 5), F(1, 5), 0), {"t": (F(1, 7), F(1, 7), 0), "r": (F(1, 9), F(1, 9), 0)})
+    own = Satellite(turned((1, 1, 2), ONE), (0, 0, F(2**0.5) / 5),
+                    {"t": (0, 0, F(2**0.5) / 7), "r": (0, 0, F(2**0.5) / 9)})
+    found, expected = given.found(), own.found()
+    c = np.array([1, 1, 0]) / 2**0.5
+    assert len(found) == len(expected) >= 4
+    for e, R, other, S in zip(found, matrices(found), expected, matrices(expected)):
+        np.testing.assert_allclose(R @ c, S[:, 2], atol=1e-12)
+        assert (e.decision.verdict, e.damped.verdict) == (other.decision.verdict, other.damped.verdict)
+        assert np.abs(torque(R[None], given.matrix, given.vector)[0]).max() < 1e-12
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_circles_about_the_normal(seed):
+    """A ball in a potential of n alone, with a rotor that is not along its axes: the frame may turn about n.
+
+    Newton's method ends on no other circle; the energy is least where K has two positive eigenvalues.
+    """
+    matrix = turned([F(1, 3), F(-1, 4), F(1, 2)], rotation(Random(seed)))
+    satellite = Satellite(turned((1, 1, 1), ONE), (0, 0, F(1, 5)), {"n": (F(1, 9), F(1, 5), 0)},
+                          {("n", "n"): matrix})
+    found = satellite.found()
+    here = [R[1] for R in matrices(found)]
+    assert all("a circle of equilibria about n," in e.locus for e in found)
+    for R, _ in landings(satellite.matrix, satellite.vector):
+        assert min(np.abs(R[1] - n).max() for n in here) < 1e-6
+    count = 0
+    for e, R in zip(found, matrices(found)):
+        K = sorted(signs_of(satellite, R), key=abs)[1:]
+        count += (-1) ** sum(x < 0 for x in K)
+        assert (e.decision.rung.name == "LEAST_ON_SET") == (min(K) > 0)
+    assert count == 2
+
+
+def test_a_torus_of_attitudes():
+    """In a potential of n·c alone, (n·c)²/2 − n·c/3 with c = e3: n·c = 1/3 on a torus, and two circles."""
+    satellite = Satellite(turned((1, 1, 1), ONE), linear={"n": (0, 0, F(-1, 3))},
+                          forms={("n", "n"): turned((0, 0, 1), ONE)})
+    torus, *circles = satellite.found()
+    assert "a torus" in torus.locus and torus.locus.endswith("is 1/3")
+    assert abs(torus.doubles.place["n3"] - 1 / 3) < 1e-15
+    assert sorted(e.doubles.place["n3"] for e in circles) == [-1, 1]
+
+
+@pytest.mark.parametrize(("digits", "count"), [(6, 24), (12, 24), (None, 6)])
+def test_moments_that_are_equal_but_for_rounding(digits, count):
+    """A body of revolution in tilted axes, exact or rounded: it is taken as what it is."""
+    turn = [[F(3, 7), F(-6, 7), F(2, 7)], [F(6, 7), F(2, 7), F(-3, 7)], [F(2, 7), F(3, 7), F(6, 7)]]
+    tensor = turned((1, 1, 2), turn)
+    if digits:
+        tensor = [[F(round(x * 10**digits), 10**digits) for x in row] for row in tensor]
+    found = Satellite(tensor).found()
+    assert len(found) == count
+    assert all(bool(e.locus) == (count == 6) for e in found)
+    assert sum((-1) ** e.form.index for e in found if not e.locus) == 0

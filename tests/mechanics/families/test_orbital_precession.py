@@ -4,7 +4,8 @@ from random import Random
 
 import pytest
 from slow import sampled
-from sympy import Rational
+from sympy import Matrix, Rational, nsimplify
+from turns import TURNS
 from two_directions import Scene, second_variation, sextic
 
 import gyrostat as gs
@@ -110,3 +111,30 @@ def test_other_rotors():
         gs.orbital_precession(scene(0, 0, 1), "elliptic")
     with pytest.raises(gs.errors.ScopeError, match="body of revolution in orbit"):
         gs.orbital_precession(scene(0, 0, 1, moments=(1, 2, 3)), "conical")
+
+
+@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("c", ["axis 1", "(1, 2, 2)", "(1, 1, 1)"])
+def test_a_tensor_in_any_axes(kind, c):
+    """As in axes of which the third is that of the body; gyroscopic forces stabilise a conical one."""
+    turn = TURNS[c]
+    l = {"cylindrical": Rational(1, 5), "hyperbolic": Rational(-1, 3), "conical": Rational(-9, 5)}[kind]
+    moments = Matrix.diag(1, 1, Rational(8, 5))
+    body = gs.Gyrostat((turn.T * moments * turn).tolist(), list(turn.T * Matrix([0, 0, l])))
+    one, other = (gs.orbital_precession(gs.assemble(each, gs.circular_orbit(1)), kind)
+                  for each in (gs.Gyrostat((1, 1, "8/5"), (0, 0, l)), body))
+    sides = [gs.derivation.linearize(eq).coefficients for eq in (one, other)]
+    assert not any(nsimplify(x - y) for x, y in zip(*sides))
+    first, second = (gs.analyze(eq).verdict({}) for eq in (one, other))
+    assert (first.verdict, first.rung) == (second.verdict, second.rung)
+    assert kind != "conical" or first.rung.name == "TWIST_NEGATIVE"
+
+
+def test_the_axis_moves_so_under_torques_along_it():
+    """λ⁴ + p λ² + q of the reduced scene is that of the nine coordinates, with drag and an asteroid."""
+    potential = "t3/3 + n3^2/5 + (n1^2 + n2^2)/4"
+    scene = gs.assemble(gs.Gyrostat((1, 1, "8/5"), (0, 0, "1/5")), gs.circular_orbit(1, potential=potential))
+    for e in gs.relative_equilibria(scene, {}):
+        axis = moving_axis(e.equilibrium, lambda x: x)
+        sides = [gs.derivation.linearize(eq).coefficients for eq in (axis, e.equilibrium)]
+        assert [float(x) for x in sides[0]] == pytest.approx([float(x) for x in sides[1]][:2], rel=1e-12)

@@ -85,3 +85,12 @@ def test_the_direction_in_the_data_is_that_of_the_rotation(capsys):
             rate = parse(arc["omega_squared"]).subs(at)
             assert simplify(k.dot(k)) == 1 and rate > 0
             assert simplify((Matrix([1, 0, 0]) - rate * diag(1, 2, 3) * k).cross(k)) == zeros(3, 1)
+
+
+@pytest.mark.parametrize("stray", ["foo", "I4", "M"])
+def test_a_name_that_is_none_is_refused(capsys, stray):
+    """Beside the numbers of arcs; those of the motion ask for something else."""
+    asked = ["--potential", "k1+k2+k3", "--inertia", "1,2,3", "--gyrostatic-momentum", "0,0,0", "--set"]
+    status, _, err = decide(capsys, *asked, f"{stray}=1")
+    assert status == 2 and f"the scene has no parameter {stray}: its parameters are" in err
+    assert decide(capsys, *asked, "omega=2")[0] == 0

@@ -1,7 +1,8 @@
 """Writes the units of SI behind numbers that are printed, if those that are given have units."""
-from collections.abc import Collection, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 
+from ...mechanics.scenes.rotors import Rotor
 from ...notation import symbol
 from ...printing.blocks import Block, Display, Number, Word, joined, sentence
 from ...printing.formats.si_units import RATE, unit_of
@@ -9,19 +10,18 @@ from ...printing.nomenclature import occurring
 from ...registry import INTERNAL
 
 
-def in_units(blocks: Sequence[Block], rates: Collection[str]) -> list[Block]:
-    """The blocks with units behind the numbers to which a name is compared, and the units of all names.
+def unit_in(rotors: Sequence[Rotor], name: str) -> str:
+    """The unit of a name, which may be that of the speed or the momentum of a wheel."""
+    for of, field in ((RATE, "rate"), (unit_of("l"), "momentum")):
+        if any(symbol(name) in getattr(getattr(rotor, field), "free_symbols", ()) for rotor in rotors):
+            return of
+    return unit_of(name)
 
-    Parameters
-    ----------
-    blocks : sequence of Block
-    rates : collection of str
-        names of the user's that are speeds of wheels
-    """
-    def of(name: str) -> str:
-        return RATE if name in rates else unit_of(name)
 
-    units = {name: of(name) for name in sorted(occurring(blocks) - INTERNAL) if of(name)}
+def in_units(blocks: Sequence[Block], rotors: Sequence[Rotor]) -> list[Block]:
+    """The blocks with units behind the numbers to which a name is compared, and the units of all names."""
+    named = {name: unit_in(rotors, name) for name in sorted(occurring(blocks) - INTERNAL)}
+    units = {name: unit for name, unit in named.items() if unit}
     found: list[Block] = []
     for block in blocks:
         if isinstance(block, Display) and isinstance(block.value, Number) and str(block.name) in units:

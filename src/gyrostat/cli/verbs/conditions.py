@@ -12,7 +12,6 @@ from ...notation import symbol
 from ...printing.blocks import Block, Display, Heading, sentence
 from ...printing.decimals import with_decimals
 from ...printing.formats.json_data import json_text
-from ...printing.formats.si_units import unit_of
 from ...printing.formats.text import text
 from ...printing.glossary import term_blocks
 from ...printing.nomenclature import occurring, symbol_rows
@@ -67,9 +66,7 @@ def run(given: argparse.Namespace, out: Output) -> int:
         names = occurring(blocks)
         [symbols] = with_decimals([symbol_rows(found.reports[0].equilibrium.system, names)])
         if units_given(given):
-            rates = {s.name for rotor in table_of(asked).rotors
-                     for s in getattr(rotor.rate, "free_symbols", ())}
-            blocks = loaded("cli.options.units_shown:in_units")(blocks, rates)
+            blocks = loaded("cli.options.units_shown:in_units")(blocks, table_of(asked).rotors)
         out(text([*blocks, *after, symbols, *term_blocks([*blocks, *after])], out.width))
     return 0
 
@@ -114,8 +111,10 @@ def _solve(given: argparse.Namespace, asked: Asked, labels: Sequence[str], numbe
     if given.format == "latex":
         _written(given, [*_sets(found), *without], name, out)
         return 0
-    unit, said = unit_of(name), ""
-    scale = [sentence(symbol(name), f" is in {unit}.")] if unit and units_given(given) else []
+    unit, said = "", ""
+    if units_given(given):
+        unit = loaded("cli.options.units_shown:unit_in")(table_of(asked).rotors, name)
+    scale = [sentence(symbol(name), f" is in {unit}.")] if unit else []
     sets: Sequence[Solved] = found
     if not given.full:
         brief = loaded("questions.answers.brief_solutions:brief")

@@ -7,10 +7,10 @@ from typing import TypeVar
 
 from sympy import Expr, ImmutableMatrix, Symbol
 
+from ..._lazy import loaded
 from ...algebra.text.grammar import parse
 from ...errors import EquilibriumError, GyrostatError, ValuesError
 from ...mechanics.equilibrium.equilibrium import Equilibrium
-from ...mechanics.families.circular_orbit import by_gradient_alone
 from ...mechanics.families.named_families import E3, E3_AT_REST, FAMILIES, PRINCIPAL
 from ...mechanics.scenes.kind import Kind
 from ...mechanics.scenes.system import System, at_numbers, names_of_scene
@@ -58,7 +58,8 @@ def labels_of(asked: Asked, given: Sequence[str] | None,
             held.append(report_at(asked, family.label, numbers).equilibrium.label)
         except EquilibriumError as error:
             why = why or str(error)
-    if by_gradient_alone(scene) and not held:
+    if scene.kind is Kind.ORBIT and not held and loaded(
+            "mechanics.families.circular_orbit:by_gradient_alone")(scene):
         speed = "solve for the speed of a wheel, or " if asked.rotors else ""
         return held, [Missing("Equilibria", f"{why}; {speed}decide at numbers")]
     others = "Other equilibria" if held else "Equilibria"
