@@ -28,10 +28,11 @@ from .orbit_branches import OrbitBranches
 
 @checked
 def bifurcation_points(scene: System, name: str, values: Mapping[str, Any]) -> list[Mark]:
-    """Return the values of one name at which relative equilibria meet, all others given; exact and complete.
+    """Return the exact values of one name at which relative equilibria meet, all others given.
 
-    For a satellite in a circular orbit these are the marks of continuation over all values of the name; each
-    says in `numbers` how many attitudes there are before and after it, which papers print as 24, 20, …, 8.
+    None is missing. For a satellite in a circular orbit these are the marks of continuation over all values
+    of the name, complete as far as it says; each has in `numbers` how many attitudes there are before and
+    after it, which papers print as 24, 20, …, 8.
 
     Parameters
     ----------

@@ -92,7 +92,7 @@ class ConeCurve(Stored):
         with own_precision(PRECISION):
             here = {self.parameter: ball(Rational(value.numerator, value.denominator), PRECISION)}
             *n, tau = (ball(x, PRECISION, here) for x in (*self.n, self.tau))
-            length = sum((x**2 for x in n), start=arb(0)).sqrt()
+            length = sum((x * x for x in n), start=arb(0)).sqrt()
             return Near(tuple(float((x / length).mid()) for x in n), float(length.sqrt().mid()),
                         float((tau * length).mid()))
 

@@ -132,13 +132,14 @@ def decided_modulo_turn(form: OrbitalForm, damped: bool = False) -> Decision | N
         C = dot(c, [dot(row, c) for row in I])
         A, v = (trace(I) - C) / 2, cross(c, along)
         H = K if damped else [[x + C * a * b for x, b in zip(row, v)] for row, a in zip(K, v)]
-        first, second, turn = trace(H), trace(adjugate(H)), dot(g, c) ** 2
+        first, second, gyroscopic = trace(H), trace(adjugate(H)), dot(g, c)
+        middle = A * first + gyroscopic * gyroscopic       # by a product: ** 2 of a ball about 0 is nan
         found = None
         if damped:
             found = _under_damping(form, first, second)
         elif first > 0 and second > 0:
             found = MINIMUM
-        elif second < 0 or A * first + turn < 0 or (A * first + turn) ** 2 < 4 * A**2 * second:
+        elif second < 0 or middle < 0 or middle * middle < 4 * A * A * second:
             found = GROWS
     return None if found is None or others else replace(found, modulo=(integral,))
 

@@ -83,7 +83,7 @@ def fourth_order_resonance(motion: LocalMotion) -> Decision:
         r, D = quartic.get(terms[0], 0), real(twist(quartic, found))
         actions = real(values[1] / found.norms[0]), real(values[0] / found.norms[1])
         square = 4 * real(r * r.conjugate()) * abs(actions[0] * actions[1] ** 3) if not is_zero(r) else 0
-        if sign := sign_of(D**2 - square):
+        if sign := sign_of(D * D - square):
             stable, compared = sign > 0, "<>"[sign > 0]
             why = f"{said}, |D4| = {decimals(abs(D))} {compared} R = {decimals(arb(square).sqrt())}"
             return _settled(stable, why)
