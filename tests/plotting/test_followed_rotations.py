@@ -99,7 +99,7 @@ def test_against_another_name_it_is_the_rate():
 
 @pytest.mark.parametrize(("case", "ends", "words"), [
     ("general", (0, 1), "a range in which it is positive"), ("general", (2, 1), "the lower one first"),
-    ("a moment", (-1, 1), "a range in which it is positive")])
+    ("a moment", (-1, 1), "has to be positive")])
 def test_what_is_refused(case, ends, words):
     """A length that is none, a range that is empty, a moment that is not positive."""
     body, name, _, values = CASES[case]
