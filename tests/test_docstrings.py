@@ -24,7 +24,7 @@ def misspelt(docstring):
             yield place[0]
 
 
-@pytest.mark.few(8)
+@pytest.mark.few(4)
 @pytest.mark.parametrize("package", sorted(path.name for path in SOURCE.iterdir() if path.suffix != ".typed"))
 def test_a_symbol_keeps_its_case_where_a_sentence_begins(package):
     """ω and Ω, k and K, h and H are different things."""

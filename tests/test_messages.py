@@ -41,6 +41,7 @@ def messages(path):
             yield node.lineno, node.args[0]
 
 
+@pytest.mark.slow
 def test_every_message_of_the_source_is_short():
     """Its own words, and 12 characters for each quotation."""
     found = {f"{path.relative_to(SRC)}:{line}": size(tree) for path in SRC.rglob("*.py")
@@ -105,6 +106,7 @@ WRONG = [
     lambda: gs.questions.decide({"orbit": "height=500 km", "inertia": TEXTS})]
 
 
+@pytest.mark.few(8)
 @pytest.mark.parametrize("number", range(len(WRONG)))
 def test_what_is_refused_of_a_satellite_of_long_numbers_is_short(number):
     """With fractions of 71 digits and roots: in 300 characters, and with no number of more than 60."""

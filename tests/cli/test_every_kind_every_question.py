@@ -57,7 +57,7 @@ def test_decide_says_the_same(case, file, capsys):
         assert decision.scope.partition(" ")[0] in text.partition("Reason")[0]
 
 
-@pytest.mark.few(5)
+@pytest.mark.few(1)
 def test_a_batch_says_the_same(case, file, capsys, tmp_path):
     """A line of it."""
     lines = tmp_path / "lines.jsonl"
@@ -68,7 +68,7 @@ def test_a_batch_says_the_same(case, file, capsys, tmp_path):
                                                   case.report.verdict(case.values, damped=True))
 
 
-@pytest.mark.few(8)
+@pytest.mark.few(4)
 @pytest.mark.parametrize("verb", ["report", "conditions", "decide"])
 def test_a_question_about_the_table_is_answered_with_the_document(case, file, capsys, verb):
     """Key by key what the verb writes of the file; or it is refused in the same words."""
@@ -90,6 +90,7 @@ def test_the_page_says_the_same(case):
     assert decision.proved in json.dumps(found["blocks"], ensure_ascii=False)
 
 
+@pytest.mark.few(10)
 def test_latex_says_the_same(case):
     """The verdict with its notion and what is divided out."""
     decision = case.report.verdict(case.values)
@@ -127,7 +128,7 @@ def _dyadic(text):
         return False
 
 
-@pytest.mark.few(2)
+@pytest.mark.few(1)
 @pytest.mark.parametrize("case", SETS, indirect=True)
 def test_sets_say_the_same(case):
     """A value is in the stabilising set where it is stable, in what is left open where it is undecided."""

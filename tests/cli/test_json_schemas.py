@@ -73,7 +73,7 @@ def test_each_schema_is_one(name):
     Draft202012Validator.check_schema(SCHEMAS[name])
 
 
-@pytest.mark.few(7)
+@pytest.mark.few(2)
 @pytest.mark.parametrize(("schema", "question"), ASKED)
 def test_what_a_verb_writes_is_described(capsys, tmp_path, schema, question):
     """It validates against the schema of its verb, which refuses keys that it does not describe."""

@@ -107,6 +107,7 @@ def test_every_attribute_answers(found):
         assert e.form.index is None or 0 <= e.form.index <= {FREE: 2, ORBIT: 3}.get(kind(e), 2)
 
 
+@pytest.mark.few(2)
 def test_what_tells_them_apart(found):
     """Place: each by its numbers, of which a continuum has none."""
     places = [tuple(e.place.items()) for e in found]
@@ -118,6 +119,7 @@ def test_what_tells_them_apart(found):
         assert varies or all(value == (own | e.rates)[name] for name, value in e.place.items())
 
 
+@pytest.mark.few(7)
 def test_rates_and_directions_give_the_momentum(found):
     """M = Iω + l, and unit vectors; of the attitude rows t = n × r, n, r of a rotation."""
     for e in found:
@@ -188,7 +190,7 @@ def eigenvalues(e):
     return np.linalg.eigvals(oracle.jacobian(field, x, 1 if quadratic else 2**-16).astype(float))
 
 
-@pytest.mark.few(11)
+@pytest.mark.few(5)
 def test_frequencies_and_growth_rates_are_those_of_the_motion(found):
     """Every eigenvalue but 0 of the differenced equations; two that meet are apart by 1e-8 in doubles."""
     for e in found:
@@ -212,6 +214,7 @@ def test_the_report_of_its_equilibrium_says_the_same(found):
             assert (damped.verdict, damped.growing) == (e.damped.verdict, e.damped.growing)
 
 
+@pytest.mark.few(16)
 def test_as_many_modes_grow_as_the_index_says(found):
     """Under damping that reaches every motion, where the form is not degenerate."""
     for e in found:

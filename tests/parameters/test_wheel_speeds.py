@@ -139,6 +139,7 @@ def test_a_wheel_across_the_normal_holds_one_speed_at_most():
         gs.wheel_speeds(scene_of(tensor, (1, 1, 0), 2), "s")
 
 
+@pytest.mark.slow
 def test_other_wheels_carry_what_is_missing():
     """With their momentum the attitude is an equilibrium at each speed; what they have is taken off."""
     tensor = [[3, F(1, 2), 0], [F(1, 2), 4, F(1, 4)], [0, F(1, 4), 2]]

@@ -213,6 +213,7 @@ def test_one_value_is_a_strip(e1):
         assert ax.get_xlim() == (0.5, 1.5) and ax.get_legend()
 
 
+@pytest.mark.slow
 def test_a_missing_extra_is_named(wedge, monkeypatch):
     """The message has the pip command."""
     monkeypatch.setitem(sys.modules, "matplotlib", None)

@@ -18,6 +18,7 @@ def drawn():
     return draw_bifurcation_diagram(scene, "l", (LOW, HIGH), {}, Figure().subplots())
 
 
+@pytest.mark.slow
 def test_the_numbers_of_attitudes_stand_over_their_parts(drawn):
     """16 up to 1, 12 up to 7/5, then 8."""
     numbers = {text.get_text(): text.xy[0] for text in drawn.texts if text.get_text().isdigit()}

@@ -46,6 +46,7 @@ def test_marks_that_nearly_coincide_are_around_each_other(three):
     assert heap == sorted(heap, key=lambda mark: mark[1])  # what is larger is below
 
 
+@pytest.mark.slow
 def test_rotations_that_are_about_to_meet_are_all_seen():
     """Three of them near a pitchfork, a saddle between two minima: each has a size of its own."""
     scene = gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, "-4999/10000")))
@@ -56,6 +57,7 @@ def test_rotations_that_are_about_to_meet_are_all_seen():
     assert max(map(len, near)) == 3 and all(len(set(sizes)) == len(sizes) for sizes in near)
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize(("inertia", "rotor", "other"), [
     ((1, "5/4", "8/5"), (0, 0, 0), 0), ((2, 2, 3), (0, 1, 0), 0),
     ((1, "5/4", "8/5"), ("3/10", "1/5", "1/10"), 0),
@@ -79,6 +81,7 @@ def test_numbers_lie_on_no_mark_and_on_no_number(inertia, rotor, other):
         assert not any((abs(there - middle) < half + wide).all() for there, wide in boxes[:n]), n
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("size", [(3.4, 3), (6.4, 4.8)])
 def test_a_tall_title_is_on_the_figure(size):
     """Of a tensor, on a figure without a layout: savefig cuts off what is beyond its edge."""

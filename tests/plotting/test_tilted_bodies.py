@@ -28,6 +28,7 @@ def upright():
     return gs.assemble(gs.Gyrostat((ACROSS, ACROSS, ALONG), (0, 0, ROTOR)), gs.uniform_field())
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", [1, 2])
 def test_the_effective_potential(seed):
     """V = (p_φ − p_ψ cos θ)²/(2 A sin²θ) + (p_ψ − l)²/(2 C) + m0 cos θ, whatever the axes."""
@@ -58,6 +59,7 @@ def test_other_diagrams_are_those_of_the_upright_body(monkeypatch, draw):
     assert heights(ours) == pytest.approx(heights(theirs), abs=1e-5)
 
 
+@pytest.mark.slow
 def test_the_plane_of_a_rotor_needs_three_moments():
     """Of a tensor, too, with a name in it or without."""
     scene = gs.assemble(gs.Gyrostat([["a", 1, 0], [1, 3, 0], [0, 0, 4]]))

@@ -122,7 +122,7 @@ def in_latex(blocks):
     return re.findall(r"(?:\\[A-Za-z]+|[A-Za-z])(?:_(?:\{[^{}]*\}|\\?\w+))?", bare)
 
 
-@pytest.mark.few(3)
+@pytest.mark.few(2)
 @pytest.mark.parametrize("scene", SCENES)
 @pytest.mark.parametrize("name", LETTERS)
 def test_a_letter_of_the_scene_is_no_letter_of_the_print(scene, name):

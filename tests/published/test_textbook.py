@@ -36,7 +36,7 @@ def test_there_are_three_hundred():
     assert len(every) >= 300 and len(set(every)) == len(every)
 
 
-@pytest.mark.few(16)
+@pytest.mark.few(8)
 @pytest.mark.parametrize(("moments", "book", "typed", "at"), rows("answered"))
 def test_a_scene_is_answered_as_its_author_means_it(moments, book, typed, at):
     """The same energy, and the same verdict."""
@@ -46,7 +46,7 @@ def test_a_scene_is_answered_as_its_author_means_it(moments, book, typed, at):
     assert decision.verdict.name in expected(book, moments.split(), values, special)
 
 
-@pytest.mark.few(30)
+@pytest.mark.few(17)
 @pytest.mark.parametrize(("moments", "book", "typed", "at", "said", "letters"), rows("refused"))
 def test_a_scene_is_refused_with_what_to_write(moments, book, typed, at, said, letters):
     """In one sentence; the formula that it proposes means what the author's does."""

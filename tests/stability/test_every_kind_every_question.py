@@ -38,7 +38,7 @@ def test_the_scene_at_numbers_says_the_same(case):
         assert case is CASES["conical, a ball"] and here[0]["verdict"] == "STABLE" != family[0]["verdict"]
 
 
-@pytest.mark.few(16)
+@pytest.mark.few(7)
 def test_the_names_that_are_required_are_enough(case):
     """Exactly these, and no other: for the verdict, under damping, of the point itself."""
     report, jets = case.report, case.jets

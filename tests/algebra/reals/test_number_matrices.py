@@ -63,6 +63,7 @@ def test_an_unknown_entry():
         rank(Matrix([[symbol("a")]]))
 
 
+@pytest.mark.slow
 def test_kernel_and_product_in_the_field_of_one_square_root():
     """A matrix of known rank, by factors with entries a + b √D; what SymPy expands is the same."""
     rng = Random(3)

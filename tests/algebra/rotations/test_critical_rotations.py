@@ -5,6 +5,7 @@ import pytest
 import gyrostat as gs
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("digits", [3, 7, 10])
 def test_wheels_that_nearly_hold_an_attitude(digits):
     """With l·t = −ω0 t·In and l·r = −4 ω0 r·In, in rpm that are rounded, it points as exactly as they say."""

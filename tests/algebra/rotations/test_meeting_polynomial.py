@@ -3,6 +3,7 @@ from fractions import Fraction
 from math import prod
 from random import Random
 
+import pytest
 from flint import fmpq_poly
 
 from gyrostat.algebra.rotations.bounds import LINES, bounded
@@ -38,12 +39,14 @@ def product(factors):
     return whole / whole[whole.degree()]
 
 
+@pytest.mark.slow
 def test_those_of_a_rotor_along_an_axis():
     """l² is a², b², 16 a², 16 b² and 4 a b, with a = I1 − I2 and b = I3 − I2; simple roots, and no others."""
     squares = 25, 49, 16 * 25, 16 * 49, 4 * 5 * 7
     assert found(lambda l: gravity((20, 15, 22), l)) == product([-x, 0, 1] for x in squares)
 
 
+@pytest.mark.slow
 def test_those_of_a_moment():
     """The same equations, solved for I2 with l = 3; and I2 = I1, I3, where complex ones go to N = 0."""
     pairs = [(20, 1), (20, 4), (32, 1), (32, 4)]           # k² (I − I2)² = 9

@@ -38,6 +38,7 @@ def by_grammar(text):
     return quantities._Quantity(text).quantity()
 
 
+@pytest.mark.slow
 @given(SPACE, SIGNS, SPACE, DECIMALS, EXPONENTS, SPACE)
 @example("", "-", "", "0.50", "", "")
 @example("", "", "", ".250", "e+1", "")

@@ -26,7 +26,7 @@ values = { Hx = "1 N m s" }
 """
 
 
-@pytest.mark.few(4)
+@pytest.mark.few(1)
 @pytest.mark.skipif(not PAGE.exists(), reason="the page is not part of an installed copy")
 @pytest.mark.parametrize("command", COMMANDS)
 def test_a_command_of_the_page(capsys, tmp_path, monkeypatch, command):
@@ -99,6 +99,7 @@ lumped = true
 """
 
 
+@pytest.mark.slow
 def test_wheels_on_the_command_line_are_those_of_a_file(capsys, tmp_path):
     """The sheet of the page, by options alone: the same table."""
     path = tmp_path / "sheet.toml"

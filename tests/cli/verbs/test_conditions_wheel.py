@@ -1,6 +1,7 @@
 """gyrostat conditions --solve-for the speed of a wheel in orbit: sentences, LaTeX, data."""
 import json
 
+import pytest
 from commands import run
 from sympy import Matrix, cancel, symbols, sympify
 
@@ -8,6 +9,7 @@ SHEET = ("--orbit", "height=500 km", "--inertia", "[[62.1,1.3,0],[1.3,71.4,0],[0
 WHEEL = ("--wheel", "axis=0,1,0 inertia=0.02 kg m^2 speed=s", "--solve-for", "s")
 
 
+@pytest.mark.slow
 def test_the_speed_of_a_wheel_is_a_sentence_with_a_decimal_and_a_unit(capsys):
     """First; numbers without units have none; an open orbit is solved in its name as before."""
     _, out, _ = run(capsys, *SHEET, *WHEEL, verb="conditions")

@@ -94,6 +94,7 @@ def angles(turn):
     return np.degrees([np.arctan2(second[2], third[2]), -np.arcsin(first[2]), np.arctan2(first[1], first[0])])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("pointing", ["1,2,3", "-3,1,-2"])
 def test_librations_are_the_motion(drawn, pointing):
     """Of a tensor with a wheel, released off its place; the equations of Euler and Poisson by Runge-Kutta."""
@@ -223,6 +224,7 @@ def test_a_scene_file(drawn, monkeypatch, tmp_path):
     assert ax.lines[0].get_ydata()[0] == pytest.approx(3)
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize(("orbit", "rate"), [
     ("height=500 km", (3.986004418e14 / 6878136.6**3) ** 0.5), ("period=95 min", 2 * np.pi / 5700),
     ("0.0012345678 rad/s", 0.0012345678), ("1/3", 1 / 3)])

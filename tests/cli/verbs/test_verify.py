@@ -171,6 +171,7 @@ def test_what_is_confirmed_is_shown(capsys, tmp_path):
     assert "field:     U = m₀ k₃" in wrong and "compared" not in wrong
 
 
+@pytest.mark.slow
 def test_a_long_formula_is_cut(capsys, checked_once):
     """To two lines at most, and --full shows all of it."""
     _, short, _ = verify(capsys, "AR")

@@ -79,7 +79,7 @@ def test_the_picture():
     names = {text.get_text() for text in (*ax.get_legend().get_texts(), *ax.texts)}
     assert {"unstable", "fold", "pitchfork", "singular form"} <= names
     heights = {}
-    for line in ax.lines:                                  # marks that nearly coincide have lines of their own
+    for line in ax.lines:                              # marks that nearly coincide have lines of their own
         if line.get_linestyle() == "None":
             heights.setdefault(line.get_marker(), []).extend(line.get_ydata())
     assert np.allclose(heights["P"], -(3**0.5) / 2) and len(heights["o"]) == 2

@@ -63,6 +63,7 @@ def test_with_a_rotor_along_an_axis(seed):
         assert abs(float(mark.n[1])) == 1 and {abs(float(x)) for x in mark.r} == {0, 1}
 
 
+@pytest.mark.slow
 def test_where_a_closed_curve_of_attitudes_passes():
     """At l² = 4 (I1 − I2)(I3 − I2) their number stays, and stability goes from one family to the other."""
     found = gs.continuation(satellite((F(3, 2), F(9, 10), F(6, 5)), (0, L, 0)), "l", (F(7, 10), 1), {})
@@ -71,6 +72,7 @@ def test_where_a_closed_curve_of_attitudes_passes():
     assert len(found.marks) == 8
 
 
+@pytest.mark.slow
 def test_a_dipole_along_the_normal_acts_as_a_rotor():
     """U = b n1 has the marks of l1 = −b; where the closed curve passes, none is left out."""
     dipole = gs.continuation(satellite(BODY, potential="b*n1"), "b", (F(3, 5), 1), {}).marks
@@ -80,6 +82,7 @@ def test_a_dipole_along_the_normal_acts_as_a_rotor():
                                                        for mark in rotor}
 
 
+@pytest.mark.slow
 def test_where_the_body_is_one_of_revolution():
     """At I2 = I1 every attitude of a rigid satellite lies on a circle about axis 3, and else there are 24."""
     found = gs.continuation(satellite((1, gs.symbol("I2"), BODY[2])), "I2", (F(3, 4), F(5, 4)), {})
@@ -157,6 +160,7 @@ def test_a_moment_and_the_rate():
         sorted((k * abs(BODY[n] - BODY[1]) for n in (0, 2) for k in (1, 4)), reverse=True))]
 
 
+@pytest.mark.slow
 def test_an_irrational_rate():
     """With ω0 = √2, as by mu and radius, and a rotor with π: at ω0 times the values for ω0 = 1.
 

@@ -58,7 +58,7 @@ def growth(satellite, tensor, rotor, R):
     return np.linalg.eigvals(motion).real.max()
 
 
-@pytest.mark.few(4)
+@pytest.mark.few(1)
 @pytest.mark.parametrize("seed", range(4))
 @pytest.mark.parametrize("kind", ["one torque", "axial", "ball", "vertical"])
 def test_circles_of_a_body_of_revolution(kind, seed):
@@ -112,7 +112,7 @@ def on_closed_curve(rng, e):
     return moments, j, v, p, q, f, g
 
 
-@pytest.mark.few(4)
+@pytest.mark.few(1)
 @pytest.mark.parametrize("seed", range(4))
 @pytest.mark.parametrize("e", "tnr")
 def test_a_closed_curve(e, seed):
@@ -187,6 +187,7 @@ def test_attitudes_along_a_closed_curve():
     assert done > 5
 
 
+@pytest.mark.slow
 def test_axes_whose_length_is_irrational():
     """Along (1, 1, 0) torques have √2 in them: the same as along axis 3, by decimals of the same torques."""
     tensor = [[F(3, 2), F(1, 2), 0], [F(1, 2), F(3, 2), 0], [0, 0, 1]]
@@ -202,6 +203,7 @@ def test_axes_whose_length_is_irrational():
         assert np.abs(torque(R[None], given.matrix, given.vector)[0]).max() < 1e-12
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("seed", range(4))
 def test_circles_about_the_normal(seed):
     """A ball in a potential of n alone, with a rotor that is not along its axes: the frame may turn about n.

@@ -70,7 +70,7 @@ def some(rng, kind):
     return Satellite(tensor, vector(), {a: vector() for a in "tnr"})
 
 
-@pytest.mark.few(3)
+@pytest.mark.few(2)
 @pytest.mark.parametrize("kind", ["drag", "free wheel", "sum", "rotor", "dipole", "asteroid"])
 def test_none_is_missing(kind, full):
     """Random satellites against a search from many starts."""
@@ -122,6 +122,7 @@ def test_a_tensor_is_answered_as_its_principal_axes_are():
         assert e.decision == other[apart.argmin()].decision
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("rotor", "count", "meet"), [((1, 0, 0), 20, 2), ((3, 0, 0), 16, 2)])
 def test_where_attitudes_meet(rotor, count, meet):
     """At a fork, l = ω0 (I_j − I_i), three are one: exact algebra finds it as the closed form does."""
@@ -163,7 +164,7 @@ def test_a_body_of_revolution_with_drag_off_its_axis():
     assert not any(e.locus for e in equilibria)
 
 
-@pytest.mark.few(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("c", [F(6, 7), F(-6, 7)])
 def test_rates_where_a_coefficient_of_the_spectrum_vanishes(c):
     """Of the sextic that of λ²: K_roll = K_yaw, and K_pitch is minus what the other parts give."""

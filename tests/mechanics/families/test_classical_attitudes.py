@@ -39,6 +39,7 @@ def of_directions(text):
     return potential
 
 
+@pytest.mark.slow
 def test_every_row_of_the_page_is_a_part_of_the_stiffness():
     """Where the torques vanish; K is diagonal, and what a row says is what it adds."""
     def stiffness(text, l):
@@ -107,6 +108,7 @@ def test_torques_together(full):
         assert compared(full, scene, I, I, L, text, 5)
 
 
+@pytest.mark.slow
 def test_a_wheel_that_runs_free(full):
     """Counts as l = h − ω0 J, but its moment is missing from pitch."""
     J, h = NAMES["J"], NAMES["h"]

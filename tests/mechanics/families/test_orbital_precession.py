@@ -113,6 +113,7 @@ def test_other_rotors():
         gs.orbital_precession(scene(0, 0, 1, moments=(1, 2, 3)), "conical")
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize("kind", KINDS)
 @pytest.mark.parametrize("c", ["axis 1", "(1, 2, 2)", "(1, 1, 1)"])
 def test_a_tensor_in_any_axes(kind, c):
@@ -130,6 +131,7 @@ def test_a_tensor_in_any_axes(kind, c):
     assert kind != "conical" or first.rung.name == "TWIST_NEGATIVE"
 
 
+@pytest.mark.slow
 def test_the_axis_moves_so_under_torques_along_it():
     """λ⁴ + p λ² + q of the reduced scene is that of the nine coordinates, with drag and an asteroid."""
     potential = "t3/3 + n3^2/5 + (n1^2 + n2^2)/4"

@@ -54,6 +54,7 @@ def test_a_count_is_searched_for(tmp_path, printed, expected):
     assert status(tmp_path, COUNTED, "equilibria", printed, "count", at='{ l = "1/20" }') == expected
 
 
+@pytest.mark.few(1)
 @pytest.mark.parametrize(("printed", "expected"), [("12", "misprint"), ("16", "confirmed")])
 def test_a_count_under_other_torques_is_searched_for(tmp_path, printed, expected):
     """Under drag, with a magnet and beside an asteroid: the search and the list end at the same number."""
