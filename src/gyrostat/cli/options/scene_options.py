@@ -29,7 +29,7 @@ def scene_file(verb: argparse.ArgumentParser) -> None:
                       help="instead of --gyrostatic-momentum: a wheel, 'axis=0,0,1 inertia=0.01 kg m^2 "
                       "speed=3000 rpm', its inertia about its axis; speed= of a motor, or momentum= of a "
                       "wheel that runs freely; may be repeated")
-    verb.add_argument("--lumped", choices=(True, False), type=_truth, metavar="TRUTH",
+    verb.add_argument("--lumped", nargs="?", const=True, choices=(True, False), type=_truth, metavar="TRUTH",
                       help="whether the inertia includes the wheels, true or false; if not, each needs "
                       "transverse=, its inertia across its axis; default: true")
 
