@@ -32,12 +32,11 @@ def continuation(scene: System, name: str, ends: tuple[Any, Any], values: Mappin
     fraction. Excepted are values at which a gyroscopically stabilised rotation is in resonance, or D4 = 0.
 
     For a satellite in a circular orbit these are the attitudes in which it rests, in a potential as
-    relative_equilibria takes it, polynomial in the parameter and with rational numbers, if there are at most
-    24. Each mark says in `numbers` how many attitudes there are before and after it. The stations are the
-    roots of a polynomial that is interpolated modulo primes; one more prime confirms its coefficients. An
-    attitude at which K has two negative squares is UNDECIDED on its piece, because gyroscopic forces may
-    stabilise it on a part. One that exists at a single value is not looked for, and the ends of the range
-    have no marks.
+    relative_equilibria takes it, polynomial in the parameter and with rational numbers. Each mark says in
+    `numbers` how many attitudes there are before and after it. The stations are the roots of a polynomial
+    that is interpolated modulo primes; one more prime confirms its coefficients. An attitude at which K has
+    two negative squares is UNDECIDED on its piece, because gyroscopic forces may stabilise it on a part. One
+    that exists at a single value is not looked for, and the ends of the range have no marks.
 
     Parameters
     ----------
@@ -60,7 +59,7 @@ def continuation(scene: System, name: str, ends: tuple[Any, Any], values: Mappin
     ------
     ScopeError
         U is unspecified, of too high a degree, of a body of revolution not rational in k3, or everything is
-        E3; the attitudes of a satellite may be more than 24 or lie on curves, or a number is not rational
+        E3; the attitudes of a satellite lie on curves, or a number is not rational
     ValuesError
         numbers are missing, unknown or not admissible, or the range is empty
 

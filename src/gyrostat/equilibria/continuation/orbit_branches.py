@@ -38,7 +38,6 @@ from .pencil_branches import PRECISION, fractions_between
 from .pieces import Piece
 from .stations_at_rate import admissible, numbers_beside
 
-MOST = 24                                              # attitudes; else the polynomial is too large
 SOMEWHERE = Fraction(10000019, 3000017)                # a value at which nothing happens
 TOGETHER = 0.02                                        # distance of quaternions that meet at a station
 NEAR = 2**22                                           # how near branches are followed to a station
@@ -111,11 +110,6 @@ class OrbitBranches:
         bound = next((b for lines in LINES if (b := bounded(QuarticForm(whole), lines)) is not None), None)
         if bound is None:
             raise ScopeError(CURVES)
-        if bound.most > MOST:
-            raise ScopeError(f"there may be {bound.most} attitudes, complex ones too, and the values at "
-                             f"which they meet are found if there are at most {MOST}, as with torques "
-                             "that are constant along orbital axes: take relative_equilibria at several "
-                             "values")
         roots = roots_of_polynomial(MeetingPolynomial(self.forms, bound).bare)
         return in_order([evaluate(root / self.scale, {}) for root in roots])
 
