@@ -244,5 +244,5 @@ def test_what_is_drawn(seed):
 @pytest.mark.parametrize("part", range(4))
 def test_what_is_drawn_in_many_scenes(part, full):
     """The same for many."""
-    for seed in range(100 + 40 * part, 100 + 40 * part + sampled(40, full, 15)):
+    for seed in range(100 + 40 * part, 100 + 40 * part + sampled(40, full, 6)):
         check(seed)

@@ -201,7 +201,7 @@ def test_critical_values_that_are_drawn(seed):
 @pytest.mark.slow
 def test_many(full):
     """The same for many."""
-    for seed in range(10, 10 + sampled(50, full, 10)):
+    for seed in range(10, 10 + sampled(50, full, 4)):
         check(seed, 2)
 
 

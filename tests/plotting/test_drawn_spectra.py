@@ -245,5 +245,5 @@ def test_eigenvalues_that_are_drawn(seed):
 @pytest.mark.slow
 def test_many(full):
     """The same for many."""
-    for seed in range(10, 10 + sampled(60, full, 20)):
+    for seed in range(10, 10 + sampled(60, full, 8)):
         check(seed)

@@ -48,7 +48,7 @@ def test_random_gyrostats(cases, full):
     """As many as Sturm's theorem counts, where Newton's method finds them, each decided as its spectrum says.
     """
     rnd, numbers = random.Random(f"all {cases}"), set()
-    for _ in range(sampled(cases, full, 160)):
+    for _ in range(sampled(cases, full, 80)):
         moments, rotor, size = drawn(rnd)
         ours = rotations(moments, rotor, size)
         assert (len(ours), 0) == found.count(moments, rotor, size)
@@ -79,7 +79,7 @@ def degenerate(rnd, kind):
 def test_degenerate_gyrostats(kind, cases, full):
     """Points and circles as counted; points as their spectra say, circles drift."""
     rnd = random.Random(f"{kind} {cases}")
-    for _ in range(sampled(cases, full, 120)):
+    for _ in range(sampled(cases, full, 60)):
         moments, rotor, size = degenerate(rnd, kind)
         ours = rotations(moments, rotor, size)
         circles = [rotation for rotation in ours if rotation.locus]

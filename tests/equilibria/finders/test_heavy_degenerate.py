@@ -118,7 +118,7 @@ def test_found_and_rightly_decided(kind):
 @pytest.mark.parametrize("kind", KINDS)
 def test_many(kind, full):
     rng, seen = random.Random(f"many {kind}"), Counter()
-    count = sampled(SCENES[kind], full, 15)
+    count = sampled(SCENES[kind], full, 7)
     for _ in range(count):
         seen += check(rng, kind)
     print(kind, dict(seen))

@@ -92,7 +92,7 @@ def test_verdicts_about_every_axis(name):
 def test_many_verdicts_about_every_axis(name, full):
     """The same, 60 of each axis."""
     draw = random.Random(f"14 {name}")
-    for _ in range(sampled(60, full, 20)):
+    for _ in range(sampled(60, full, 8)):
         checked(draw, name)
 
 

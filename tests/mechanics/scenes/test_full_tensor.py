@@ -60,7 +60,7 @@ def off(rotation, momentum, R):
 def test_a_free_gyrostat_in_any_axes(seed, count, full):
     """Its permanent rotations are the same, those that are degenerate too."""
     draw = random.Random(seed)
-    for _ in range(sampled(count, full, 25)):
+    for _ in range(sampled(count, full, 10)):
         inertia = [positive(draw) for _ in range(3)]
         if draw.random() < 0.3:
             inertia[draw.randrange(3)] = inertia[0]
@@ -108,7 +108,7 @@ def in_a_field(draw, revolution):
 def test_a_body_in_a_field_in_any_axes(revolution, seed, count, full):
     """The same verdicts, with and without damping, and the same spectrum; bodies of revolution recognised."""
     draw = random.Random(seed)
-    for _ in range(sampled(count, full, 25)):
+    for _ in range(sampled(count, full, 10)):
         inertia, rotor, momentum, k, field = in_a_field(draw, revolution)
         R = rotation(draw)
         point = [*(R * Matrix(momentum)), *(R * Matrix(k))]
