@@ -16,6 +16,8 @@ from types import CodeType
 STAGE = Path("/stage")
 # what SymPy loads when it meets some sums
 LATER = ("sympy.physics.units",)
+# of the library, what a question may load that no example asks
+FLOORS = ("algebra", "mechanics", "stability", "equilibria", "parameters", "printing", "questions")
 # what a question has beside its scene: the axes of a chart, and their ends
 MORE = {"charted": [["I1", "I3"]], "edges": [["I1", "I3"], [["1/2", "2"], ["1/2", "2"]]]}
 # of a module without a source, which is not looked for
@@ -38,7 +40,7 @@ def without_lines(code: CodeType) -> CodeType:
 
 
 def used() -> set[str]:
-    """The folders of the packages of which the examples load a module.
+    """The folders of the packages of which the examples load a module, and all that answer questions.
 
     python-flint is not among them, it has an archive of its own.
     """
@@ -55,7 +57,10 @@ def used() -> set[str]:
         importlib.import_module(name)
     loaded = {name if hasattr(module, "__path__") else name.rpartition(".")[0]
               for name, module in sys.modules.items()}
-    return {name.replace(".", "/") for name in loaded if name.split(".")[0] != "flint"}
+    packages = STAGE / "packages"
+    answering = {path.parent.relative_to(packages).as_posix() for floor in FLOORS
+                 for path in (packages / "gyrostat" / floor).rglob("__init__.py")}
+    return answering | {name.replace(".", "/") for name in loaded if name.split(".")[0] != "flint"}
 
 
 def archive(folder: Path, packages: set[str], target: Path, method: int) -> None:
