@@ -153,7 +153,8 @@ def test_the_picture():
     FigureCanvasAgg(ax.figure).draw()
     (left, right), (low, high) = ax.get_xlim(), ax.get_ylim()
     box = ax.get_window_extent()
-    assert box.width / (right - left) == pytest.approx(box.height / (high - low))
+    # Matplotlib leaves limits as they are that are within half a per cent of equal units
+    assert box.width / (right - left) == pytest.approx(box.height / (high - low), rel=0.005)
     assert (ax.get_xlabel(), ax.get_ylabel()) == (r"$\mathrm{Re}\,\lambda$ $[\mathrm{T^{-1}}]$",
                                                   r"$\mathrm{Im}\,\lambda$ $[\mathrm{T^{-1}}]$")
     assert ax.figure.axes[1].get_ylabel() == r"$\omega_3^0$ $[\mathrm{T^{-1}}]$"
