@@ -22,6 +22,7 @@ from linked import linked
 
 HERE = Path(__file__).parent
 MODULES = ("session.py", "examples.json")
+SCRIPTS = ("app", "views", "numerics")
 INTERPRETER = ("pyodide.mjs", "pyodide.asm.mjs", "pyodide.asm.wasm")
 
 
@@ -105,6 +106,8 @@ def built(target: Path, stage: Path) -> None:
     for path in (katex / "katex.min.js", katex / "katex.min.css", *katex.glob("fonts/*.woff2")):
         shutil.copy(path, target / "katex" / path.relative_to(katex))
     shipped(stage, sources, target / "licences")
+    for folder in SCRIPTS:
+        shutil.copytree(HERE / folder, target / folder)
     for path in HERE.iterdir():
         if path.suffix in (".html", ".css", ".js", ".json"):
             shutil.copy(path, target)

@@ -144,7 +144,7 @@ def test_the_library_answers_there_as_it_does_here(page):
     for example in EXAMPLES:
         for want in WANTED:
             found = page.evaluate("""async ([want, scene]) => {
-                window.other ??= new (await import("./analyser.js")).Analyser(() => {});
+                window.other ??= new (await import("./app/analyser.js")).Analyser(() => {});
                 return window.other.ask(want, scene);
             }""", [want, example["scene"]])
             assert found == json.loads(session.answer(json.dumps({"want": want, "scene": example["scene"]})))

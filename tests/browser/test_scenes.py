@@ -83,7 +83,7 @@ def test_random_scenes_have_the_librarys_answers(page, count):
     questions = [{"want": want, "scene": drawn_scene(n)} for n in range(count)
                  for want in ("analysed", "decided")]
     found = page.evaluate("""async (questions) => {
-        window.other ??= new (await import("./analyser.js")).Analyser(() => {});
+        window.other ??= new (await import("./app/analyser.js")).Analyser(() => {});
         const answers = [];
         for (const { want, scene } of questions) answers.push(await window.other.ask(want, scene));
         return answers.map((answer) => JSON.stringify(answer));

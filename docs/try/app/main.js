@@ -1,12 +1,12 @@
 // The page: what is typed and picked is the question; every card shows its answer, or is marked until it has come.
 import { Analyser } from "./analyser.js";
 import { Card } from "./card.js";
-import { Chart } from "./chart.js";
+import { Chart } from "../views/chart.js";
 import { making } from "./made.js";
-import { Nearby } from "./motion.js";
+import { Nearby } from "../views/motion.js";
 import { lost, notice, reload } from "./notices.js";
 import { heard, possible } from "./numbers.js";
-import { element, placed, shown, sliders, unstyled, verdict, word } from "./page.js";
+import { element, placed, shown, sliders, unstyled, verdict, word } from "../views/blocks.js";
 import { filled, link, linked, scene, spun, state, TEXTS } from "./scene.js";
 
 const STEPS = ["interpreter", "packages", "library", "ready"];

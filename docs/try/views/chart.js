@@ -1,7 +1,7 @@
 // A chart of two names: in each pixel what doubles prove of the criteria, over it the zeros of the margins, exact.
-import { Card } from "./card.js";
-import { notice, reload } from "./notices.js";
-import { element } from "./page.js";
+import { Card } from "../app/card.js";
+import { notice, reload } from "../app/notices.js";
+import { element } from "./blocks.js";
 
 const SIZE = 400, STEPS = 100, SOON = 60;               // pixels; keys from end to end; milliseconds
 const KEYS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
@@ -19,7 +19,7 @@ export class Chart {
     this.picture = element("canvas", { width: SIZE, height: SIZE });
     this.programs = new Card(({ scene, more }) => ask("charted", scene, more), (found) => this.load(found), settled);
     this.edges = new Card(({ scene, more }) => ask("edges", scene, more), () => {}, settled);
-    this.worker = new Worker("chart-worker.js", { type: "module" });
+    this.worker = new Worker("numerics/chart-worker.js", { type: "module" });
     this.worker.onmessage = ({ data }) => this.come(data);
     this.worker.onerror = (event) => {
       event.preventDefault();

@@ -16,7 +16,7 @@ export class Analyser {
 
   start() {
     this.ready = this.lost = false;
-    const worker = this.worker = new Worker("worker.js", { type: "module" });
+    const worker = this.worker = new Worker("app/worker.js", { type: "module" });
     worker.onmessage = ({ data }) => { if (worker === this.worker) this.heard(data); };
     worker.onerror = (event) => {
       event.preventDefault();

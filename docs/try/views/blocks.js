@@ -1,5 +1,5 @@
 // What the library answers, shown: blocks of sentences and formulas, verdicts, numbers with their sliders.
-import { number, positive } from "./numbers.js";
+import { number, positive } from "../app/numbers.js";
 
 const WORDS = { STABLE: ["✓", "Stable"], UNSTABLE: ["✗", "Unstable"], UNDECIDED: ["?", "Undecided"] };
 const START = new Map([["I2", "1.2"], ["I3", "1.6"], ["l", "0"], ["k3", "0.5"]]);

@@ -1,5 +1,5 @@
 // What fails of the page itself, in a sentence and with a way on.
-import { element } from "./page.js";
+import { element } from "../views/blocks.js";
 
 const said = new Map();                                 // by what failed: a sentence, what a button says and does
 

@@ -1,8 +1,8 @@
 // A motion near the equilibrium, in doubles: the path of a vector on a sphere, as the body sees it.
-import { Card } from "./card.js";
-import { Motion } from "./integrator.js";
-import { sliders } from "./page.js";
-import { compiled } from "./programs.js";
+import { Card } from "../app/card.js";
+import { Motion } from "../numerics/integrator.js";
+import { sliders } from "./blocks.js";
+import { compiled } from "../numerics/programs.js";
 
 const SIZE = 400, LONG = 4000, FRAMES = 240;             // points of a path; frames to the longest period
 

@@ -1,6 +1,6 @@
 // The library in a thread of its own: Python, its packages from the files that files.json lists, then answers.
-import { loadPyodide } from "./runtime/pyodide.mjs";
-import "./runtime/xz.js";
+import { loadPyodide } from "../runtime/pyodide.mjs";
+import "../runtime/xz.js";
 
 const say = (step) => postMessage({ step });
 const fail = (error) => postMessage({ failed: error.message });
@@ -24,7 +24,7 @@ WebAssembly.instantiateStreaming = (...given) => compile(...given).catch((error)
 
 // A file that is listed, decompressed; where the browser lets a page keep something, it is kept so.
 async function unpacked(files, name) {
-  const { integrity } = files[name], address = `${name}?${integrity.slice(7, 15)}`;
+  const { integrity } = files[name], address = `../${name}?${integrity.slice(7, 15)}`;
   const store = await self.caches?.open("gyrostat").catch(() => undefined);
   const kept = await store?.match(address);
   if (kept) return kept.arrayBuffer();
@@ -53,10 +53,10 @@ function placed(FS, folder, stream) {
 }
 
 async function started() {
-  const files = await (await fetch("files.json", { cache: "no-cache" })).json();
+  const files = await (await fetch("../files.json", { cache: "no-cache" })).json();
   const packages = unpacked(files, "runtime/packages.xz");
   say("interpreter");
-  const python = await loadPyodide({ stdLibURL: new URL("runtime/python.zip", self.location).href });
+  const python = await loadPyodide({ stdLibURL: new URL("../runtime/python.zip", self.location).href });
   say("packages");
   placed(python.FS, "/packages", await packages);
   python.runPython('import sys; sys.path[:0] = ["/packages", "/packages/packages.zip"]');
