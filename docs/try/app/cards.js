@@ -15,6 +15,7 @@ const at = (id) => document.getElementById(id);
 export const cards = (asked, form, changed) => ({
   analysed(found) {
     form.offer(found);
+    at("main").classList.toggle("listed", asked.equilibrium.startsWith("every"));
     at("error").textContent = found.error ?? "";
     at("derived").inert = Boolean(found.error);
     at("place").hidden = !found.point;
