@@ -5,7 +5,7 @@ const LATE = { error: `This took longer than ${LIMIT} s and was ended. ${SIMPLER
 const LOST = { lost: true, error: "The library is not running, see the top of this page." };
 
 export class Analyser {
-  // told: {step}, {ready}, {failed} where the library could not be started
+  // told: {parts}, {step}, {ready}, {failed} where the library could not be started
   constructor(told) {
     this.told = told;
     this.waiting = new Map();

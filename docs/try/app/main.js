@@ -11,11 +11,9 @@ import { Form } from "./form.js";
 import { lost, notice, reload } from "./notices.js";
 import { possible } from "./numbers.js";
 import { link, linked, nothing, numbered, scene, taken } from "./scene.js";
+import { progress } from "./progress.js";
 import { KINDS, questions } from "./state.js";
 
-const STEPS = ["interpreter", "packages", "library", "ready"];
-const SAID = { interpreter: "Python is loading", packages: "SymPy and python-flint are loading",
-  library: "the library is loading", ready: "ready" };
 const SOON = 60;                                        // milliseconds before the boundary of a chart is asked for
 const at = (id) => document.getElementById(id);
 
@@ -100,12 +98,11 @@ function restore({ table, axes }) {
   changed();
 }
 
-function told({ step, ready, failed }) {
-  at("starting").hidden = Boolean(ready || failed);
-  if (!failed) {
-    at("progress").value = STEPS.indexOf(step ?? "ready");
-    at("status").textContent = SAID[step ?? "ready"];
-  }
+function told({ failed, ...news }) {
+  const { share, text } = progress(news);
+  at("starting").hidden = Boolean(news.ready || failed);
+  at("progress").value = share ?? at("progress").value;
+  if (!failed) at("status").textContent = text;
   const why = navigator.onLine ? `${failed}). A file is not on the server, or this browser is too old for it`
     : "the network is not there). It starts again when the network is back";
   notice("library", failed && `The library could not be started (${why}. What is typed stays; the library runs on your own `
@@ -114,7 +111,7 @@ function told({ step, ready, failed }) {
 
 function again() {
   for (const kind of KINDS) if (answers.answered[kind]?.answer.lost) answers.forget(kind);
-  told({ step: STEPS[0] });
+  told({});
   analyser.start();
   update();
 }
