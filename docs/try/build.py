@@ -122,11 +122,14 @@ def built(target: Path, stage: Path) -> None:
     for folder in SCRIPTS:
         shutil.copytree(HERE / folder, target / folder)
     for path in HERE.iterdir():
-        if path.suffix in (".html", ".css", ".js", ".json"):
+        if path.suffix in (".html", ".css", ".json"):
             shutil.copy(path, target)
     listed = {path.relative_to(target).as_posix(): _listed(path)
               for path in sorted(target.rglob("*")) if path.is_file()}
     (target / "files.json").write_text(json.dumps(listed, indent=1), encoding="utf-8")
+    worker = (HERE / "sw.js").read_text(encoding="utf-8")
+    version = _listed(target / "files.json")["integrity"]
+    (target / "sw.js").write_text(worker.replace("{version}", str(version)), encoding="utf-8")
     print(f"try: {len(listed)} files, {sum(entry['bytes'] for entry in listed.values()) / 1e6:.1f} MB")
 
 

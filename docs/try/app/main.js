@@ -8,6 +8,7 @@ import { checked } from "./arrived.js";
 import { cards } from "./cards.js";
 import { copied } from "./copies.js";
 import { Form } from "./form.js";
+import { keep } from "./kept.js";
 import { lost, notice, reload } from "./notices.js";
 import { possible } from "./numbers.js";
 import { link, linked, nothing, numbered, scene, taken } from "./scene.js";
@@ -103,6 +104,7 @@ function told({ failed, ...news }) {
   at("starting").hidden = Boolean(news.ready || failed);
   at("progress").value = share ?? at("progress").value;
   if (!failed) at("status").textContent = text;
+  if (news.version) keep(news.version);
   const why = navigator.onLine ? `${failed}). A file is not on the server, or this browser is too old for it`
     : "the network is not there). It starts again when the network is back";
   notice("library", failed && `The library could not be started (${why}. What is typed stays; the library runs on your own `

@@ -2,7 +2,7 @@
 
 /**
  * @typedef {{ name: string, got: number, of: number }} Part how many bytes of a part have come
- * @typedef {{ parts?: Part[], step?: string, ready?: boolean }} News what the library's thread tells of its start
+ * @typedef {{ parts?: Part[], step?: string, ready?: boolean, version?: string }} News what the library's thread tells of its start
  */
 
 /** @type {Record<string, string>} */

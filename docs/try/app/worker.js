@@ -77,10 +77,18 @@ async function interpreter(runtime) {
     lockFileContents: new TextDecoder().decode(runtime.get("pyodide-lock.json")) });
 }
 
+/** @param {BufferSource} data */
+async function hash(data) {
+  const found = await self.crypto.subtle?.digest("SHA-256", data);
+  return found && `sha256-${btoa(String.fromCharCode(...new Uint8Array(found)))}`;
+}
+
 async function started() {
   const response = await fetch("../files.json", { cache: "no-cache" }).catch(() => ({ ok: false, status: "" }));
   if (!response.ok) throw new Error(`files.json: ${response.status || "it did not come"}`);
-  const [runtime, ...packages] = archives(await response.json());
+  const list = await response.arrayBuffer();
+  const [runtime, ...packages] = archives(JSON.parse(new TextDecoder().decode(list)));
+  const version = await hash(list);
   const python = await interpreter(await runtime);
   say("packages");
   for (const [path, data] of (await Promise.all(packages)).flatMap((files) => [...files])) {
@@ -90,14 +98,14 @@ async function started() {
   }
   python.runPython('import sys; sys.path[:0] = ["/packages", "/packages/packages.zip"]');
   say("library");
-  return python.pyimport("session").answer;
+  return { answer: python.pyimport("session").answer, version };
 }
 
 try {
-  const answer = await started();
+  const { answer, version } = await started();
   self.onunhandledrejection = null;
   onmessage = ({ data: { id, question } }) => postMessage({ id, answer: answer(question) });
-  postMessage({ ready: true });
+  postMessage({ ready: true, version });
 } catch (error) {
   fail(error);
 }
