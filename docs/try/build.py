@@ -23,6 +23,7 @@ from linked import linked
 HERE = Path(__file__).parent
 MODULES = ("session.py", "examples.json")
 SCRIPTS = ("app", "views", "numerics")
+LIST, SERVICE = "files.json", "sw.js"
 
 
 def run(*command: str | Path, where: Path = HERE) -> None:
@@ -122,15 +123,21 @@ def built(target: Path, stage: Path) -> None:
     for folder in SCRIPTS:
         shutil.copytree(HERE / folder, target / folder)
     for path in HERE.iterdir():
-        if path.suffix in (".html", ".css", ".json"):
+        if path.suffix in (".html", ".css") or path.name == "examples.json":
             shutil.copy(path, target)
-    listed = {path.relative_to(target).as_posix(): _listed(path)
-              for path in sorted(target.rglob("*")) if path.is_file()}
-    (target / "files.json").write_text(json.dumps(listed, indent=1), encoding="utf-8")
-    worker = (HERE / "sw.js").read_text(encoding="utf-8")
-    version = _listed(target / "files.json")["integrity"]
-    (target / "sw.js").write_text(worker.replace("{version}", str(version)), encoding="utf-8")
-    print(f"try: {len(listed)} files, {sum(entry['bytes'] for entry in listed.values()) / 1e6:.1f} MB")
+    print(f"try: {listed(target)}")
+
+
+def listed(target: Path) -> str:
+    """Write the list of the files and the service worker that keeps them; say how many there are, how large."""
+    for name in (LIST, SERVICE):
+        (target / name).unlink(missing_ok=True)
+    files = {path.relative_to(target).as_posix(): _listed(path)
+             for path in sorted(target.rglob("*")) if path.is_file()}
+    (target / LIST).write_text(json.dumps(files, indent=1), encoding="utf-8")
+    worker, version = (HERE / SERVICE).read_text(encoding="utf-8"), _listed(target / LIST)["integrity"]
+    (target / SERVICE).write_text(worker.replace("{version}", str(version)), encoding="utf-8")
+    return f"{len(files)} files, {sum(int(entry['bytes']) for entry in files.values()) / 1e6:.1f} MB"
 
 
 def _listed(path: Path) -> dict[str, str | int]:
