@@ -120,6 +120,8 @@ def built(target: Path, stage: Path) -> None:
     for path in (katex / "katex.min.js", katex / "katex.min.css", *katex.glob("fonts/*.woff2")):
         shutil.copy(path, target / "katex" / path.relative_to(katex))
     shipped(stage, sources, target / "licences")
+    for folder in ("prepared", "pictures"):
+        shutil.copytree(stage / folder, target / folder)
     for folder in SCRIPTS:
         shutil.copytree(HERE / folder, target / folder)
     for path in HERE.iterdir():
@@ -129,7 +131,7 @@ def built(target: Path, stage: Path) -> None:
 
 
 def listed(target: Path) -> str:
-    """Write the list of the files and the service worker that keeps them; say how many there are, how large."""
+    """Write the list of the files and the service worker that keeps them; say how many and how large they are."""
     for name in (LIST, SERVICE):
         (target / name).unlink(missing_ok=True)
     files = {path.relative_to(target).as_posix(): _listed(path)

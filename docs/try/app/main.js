@@ -12,6 +12,7 @@ import { keep } from "./kept.js";
 import { lost, notice, reload } from "./notices.js";
 import { possible } from "./numbers.js";
 import { link, linked, nothing, numbered, scene, taken } from "./scene.js";
+import { library } from "./prepared.js";
 import { progress } from "./progress.js";
 import { KINDS, questions } from "./state.js";
 
@@ -28,7 +29,8 @@ const analyser = new Analyser(told);
 const asks = Object.fromEntries(KINDS.map((kind) => [kind, (question) => analyser.ask(kind, question)]));
 const answers = new Answers({ ...asks,
   charted: ({ scene, axes }) => analyser.ask("charted", scene, [axes]),
-  edges: ({ scene, axes, ends }) => analyser.ask("edges", scene, [axes, ends]) }, update, { analysed });
+  edges: ({ scene, axes, ends }) => analyser.ask("edges", scene, [axes, ends]) }, update, { analysed },
+  library(async () => examples, (n) => json(`prepared/${n}.json`)), differed);
 const form = new Form(asked, changed, (n) => restore({ table: examples[n].scene, axes: [] }));
 const chart = new Chart(at("charted"), asked, answers, set, update);
 const nearby = new Nearby(at("nearby"), asked, answers, changed, update);
@@ -58,7 +60,15 @@ function update(pause = 0) {
   at("here").textContent = answer?.verdict
     ? `${asked.axes.map((name) => `${name} = ${question.values[name]}`).join(", ")}: ${word(answer.verdict)}` : "";
   if (asked.copying && asked.copying !== "link") copying();
+  at("early").hidden = !KINDS.some((kind) => answers.of(kind) && answers.answered[kind].prepared);
   mark();
+}
+
+// A library that answers otherwise than when the page was built.
+function differed(kind) {
+  console.error(`prepared answer differs: ${kind}`);
+  notice("prepared", "An answer that was computed when this page was built was not the library's; the library's is shown.",
+    ...reload);
 }
 
 // An answer to another question than the page's is gone if the scene is another, and pale if the numbers are.
@@ -158,6 +168,12 @@ for (const [id, kind] of [["opened", "opened"], ["derivation", "derived"]]) {
   };
 }
 
+async function json(address) {
+  const response = await fetch(address);
+  if (!response.ok) throw new Error(response.status);
+  return response.json();
+}
+
 // What the address says, or the first example.
 const arrive = () => restore(linked(location.hash.slice(1)) ?? { table: examples[0]?.scene ?? {}, axes: [] });
 
@@ -167,9 +183,7 @@ else window.onload = checked;
 window.onhashchange = arrive;
 window.ononline = () => { if (analyser.lost) again(); };
 try {
-  const response = await fetch("examples.json");
-  if (!response.ok) throw new Error(response.status);
-  examples = await response.json();
+  examples = await json("examples.json");
 } catch {
   lost("examples.json", "there is no example to pick; all else works.");
 }
