@@ -1,7 +1,7 @@
 // A body in space: the library's equations of motion, and its attitude, integrated beside them.
 import { broughtNear, dot, quaternion, rotation, turning, upright, vector } from "./attitude.js";
 import { Motion } from "./integrator.js";
-import { compiled } from "./programs.js";
+import { compiled } from "./compiled.js";
 
 /** @typedef {import("./attitude.js").Vector} Vector */
 /** @typedef {import("./attitude.js").Matrix} Matrix */
