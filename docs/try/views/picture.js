@@ -1,12 +1,13 @@
 // A picture of what the page shows, for paper: the scene, its verdict, body, chart with its key, numbers.
 import { Svg } from "./svg.js";
 
+/** @typedef {{ width: number, height: number, draw: (context: any) => void }} View */
 /**
  * @typedef {object} Seen
  * @property {string} title the name of the scene; "" if it has none
  * @property {string} line the scene in one line
  * @property {{ text: string, colour: string, more: string }} verdict more: what stands below it, or ""
- * @property {{ width: number, height: number, draw: (context: any) => void }[]} views beside each other
+ * @property {View[]} views beside each other
  * @property {{ text: string, colour: string }[]} key what the colours of the chart mean
  * @property {string[]} numbers each with its name
  * @property {{ ink: string, quiet: string, line: string, paper: string }} inks
