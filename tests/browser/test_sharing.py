@@ -102,8 +102,8 @@ def test_another_page_shows_a_scene(page, context, number, width, height):
     assert frame.evaluate(FITS)
     assert frame.inner_text(".badge") == page.inner_text(".badge")
     assert frame.evaluate(NUMBERS) == page.evaluate(NUMBERS)
-    assert frame.get_attribute("#whole", "href") == copied(page, "link")
-    assert frame.inner_text("#whole") == title
+    assert frame.get_attribute("#titled", "href") == copied(page, "link")
+    assert frame.inner_text("#titled") == title
     assert Axe().run(tab).violations_count == 0
     tab.close()
 
@@ -128,7 +128,7 @@ def test_a_lecture_has_large_letters_and_one_scene(lecture, size, theme):
         assert lecture.evaluate(FITS), number
         assert lecture.evaluate(LOOK) == (["#because"] if number == 10 else ["#nearby canvas"]) + ["#verdict", "#values"]
         assert lecture.eval_on_selector(".badge", "one => parseFloat(getComputedStyle(one).fontSize)") >= 0.06 * size[1]
-        assert lecture.inner_text("#whole") == lecture.evaluate(
+        assert lecture.inner_text("#titled") == lecture.evaluate(
             "document.querySelector('#example option:checked').textContent")
         found = Axe().run(lecture)
         assert found.violations_count == 0, found.generate_report()
@@ -144,7 +144,7 @@ def test_keys_of_a_lecture(lecture):
     for key in ("n", "PageDown", "p", "PageUp", "p"):
         lecture.keyboard.press(key)
         shown(lecture)
-        titles.append(lecture.inner_text("#whole"))
+        titles.append(lecture.inner_text("#titled"))
     names = lecture.eval_on_selector_all("#example option", "all => all.map(one => one.textContent)")
     assert titles == [names[n] for n in (1, 2, 1, 0, 0)]
     lecture.keyboard.press("Escape")

@@ -36,7 +36,7 @@ const answers = new Answers({ ...asks,
 const form = new Form(asked, changed, picked);
 const chart = new Chart(at("charted"), asked, answers, set, update);
 const nearby = new Nearby(at("nearby"), asked, answers, changed, update);
-const sharing = new Sharing(asked, answers, [nearby, chart], update);
+const sharing = new Sharing(asked, answers, { body: nearby, chart }, update);
 const modes = new Modes(asked, (by) => picked(at("example").selectedIndex + by), update);
 const entries = new Entries((address) => history.pushState(null, "", address),
   (address) => history.replaceState(null, "", address));

@@ -28,9 +28,9 @@ export class Modes {
     const { asked } = this, { dataset } = document.documentElement;
     if (MODES.includes(asked.show)) dataset.show = asked.show;
     else delete dataset.show;
-    at("whole").textContent = title() || line(asked);
-    if (asked.show === "embed") at("whole").href = address(asked, "");
-    else at("whole").removeAttribute("href");
+    at("titled").textContent = title() || line(asked);
+    if (asked.show === "embed") at("titled").href = address(asked, "");
+    else at("titled").removeAttribute("href");
   }
 
   /** Over the whole screen, where the browser lets a page have it. */

@@ -1,4 +1,6 @@
 // What is taken from the page: texts to copy, a picture of what is seen, paper. All wait for the answers.
+import { paint } from "../views/body-picture.js";
+import { LIGHT } from "../views/colours.js";
 import { composed, named, svg } from "../views/picture.js";
 import { copied } from "./copies.js";
 import { line, link } from "./scene.js";
@@ -10,6 +12,7 @@ const at = (id) => document.getElementById(id);
 /** @param {string} text */
 const quoted = (text) => text.replace(/[&"<>]/g, (sign) => `&#${sign.charCodeAt(0)};`);
 const PAPER = ["svg", "png", "print"], SHARP = 2;        // pixels of a picture for each of its units
+const SIZE = 400;                                       // of a body in it
 const ACROSS = 56;                                      // letters of print, each as wide as it is high, on A4
 
 /** The name of the scene, "" of one that is no example. */
@@ -25,21 +28,6 @@ function embedded(asked) {
     + 'style="border: 1px solid #d0d7de"></iframe>';
 }
 
-/**
- * Draws in the colours of the light theme, whatever that of the page: for paper.
- * @template T
- * @param {() => T} work
- */
-function inLight(work) {
-  const { style } = document.documentElement;
-  style.colorScheme = "light";
-  try {
-    return work();
-  } finally {
-    style.colorScheme = "";
-  }
-}
-
 /** @param {import("../views/picture.js").Seen} seen */
 function painted(seen) {
   const { width, height, draw } = composed(seen), canvas = document.createElement("canvas");
@@ -51,13 +39,11 @@ function painted(seen) {
   return canvas;
 }
 
-const raster = (canvas) => canvas.checkVisibility() ? { width: 400, height: 400, draw: (context) => context.drawImage(canvas, 0, 0, 400, 400) } : null;
-
 export class Sharing {
   /**
    * @param {Asked} asked
    * @param {import("./answers.js").Answers} answers
-   * @param {{ printed(): import("../views/picture.js").View | null }[]} views body and chart
+   * @param {{ body: import("../views/body.js").Nearby, chart: import("../views/chart.js").Chart }} views
    * @param {() => void} update
    */
   constructor(asked, answers, views, update) {
@@ -97,7 +83,7 @@ export class Sharing {
   async take(kind) {
     this.asked.copying = "";
     if (kind === "print") return print();
-    const seen = inLight(() => this.seen());
+    const seen = this.seen();
     if (!seen.verdict.text) return copied(kind, "", "There is no picture: the scene has no answer.");
     const data = kind === "svg" ? svg(seen) : painted(seen);
     const file = typeof data === "string" ? new Blob([data], { type: "image/svg+xml" })
@@ -110,18 +96,32 @@ export class Sharing {
     copied(kind, "", `${link.download} is saved`);
   }
 
-  /** @returns {import("../views/picture.js").Seen} */
+  /** What is seen, in the colours of the light theme, whatever that of the page: for paper. */
   seen() {
+    const { style } = document.documentElement;
+    style.colorScheme = "light";
+    try {
+      return this.lit();
+    } finally {
+      style.colorScheme = "";
+      this.views.chart.inks();
+    }
+  }
+
+  /** @returns {import("../views/picture.js").Seen} */
+  lit() {
     const badge = document.querySelector("#verdict .badge"), page = getComputedStyle(document.body);
     /** @param {string} place @returns {string[]} */
     const texts = (place) => [...document.querySelectorAll(place)].map((one) => one.textContent?.trim() ?? "");
-    const views = this.views.map((view) => view.printed ? view.printed() : raster(view.canvas)).filter((view) => view !== null);
+    const { body, chart } = this.views, charted = chart.printed();
+    const views = [...body.body ? [{ width: SIZE, height: SIZE, draw: (/** @type {any} */ context) =>
+      paint(context, SIZE, body.picture, LIGHT) }] : [], ...charted ? [charted] : []];
     const values = this.answers.answered.decided?.question.values ?? {};
     const key = [...document.querySelectorAll("#charted .key li")].map((one) => ({ text: one.textContent?.trim() ?? "",
       colour: getComputedStyle(/** @type {any} */ (one.querySelector("span"))).backgroundColor }));
     const inks = { ink: page.color, paper: page.backgroundColor, quiet: getComputedStyle(at("source")).color,
       line: getComputedStyle(at("decision")).borderTopColor };
-    return { title: title(), line: line(this.asked), views, key: at("chart").checkVisibility() ? key : [],
+    return { title: title(), line: line(this.asked), views, key: charted ? key : [],
       verdict: { text: badge?.textContent ?? "", more: texts("#verdict .damped").join(), colour: badge
         ? getComputedStyle(badge).color : "" },
       numbers: Object.entries(values).map((pair) => pair.join(" = ")), inks };
@@ -129,7 +129,7 @@ export class Sharing {
 
   /** The picture on paper; where answers are marked, a sentence. */
   paper() {
-    const seen = inLight(() => this.seen());
+    const seen = this.seen();
     if (this.waiting || !seen.verdict.text) {
       at("printed").textContent = "Something had no answer yet when this page was printed: its pictures are left out.";
     } else {

@@ -33,12 +33,14 @@ export function composed(seen) {
   const steps = [];
   let top = MARGIN;
   /** @param {string} text @param {number} size @param {string} colour */
-  const say = (text, size, colour, weight = "normal") => {
+  const say = (text, size, colour, weight = "400") => {
     for (const line of broken(text, Math.floor((WIDE - 2 * MARGIN) / (LETTER * size)))) {
       const base = top + size;
       top += Math.round(1.35 * size);
       steps.push((context) => {
         context.font = `${weight} ${size}px ${FAMILY}`;
+        context.textAlign = "left";
+        context.textBaseline = "alphabetic";
         context.fillStyle = colour;
         context.fillText(line, MARGIN, base);
       });
@@ -69,12 +71,11 @@ export function composed(seen) {
     const [x, y] = [left, top];
     left += long;
     steps.push((context) => {
-      context.fillStyle = colour;
+      context.fillStyle = seen.inks.line;
       context.fillRect(x, y, 14, 14);
-      context.strokeStyle = seen.inks.line;
-      context.lineWidth = 1;
-      context.strokeRect(x + 0.5, y + 0.5, 13, 13);
-      context.font = `normal 14px ${FAMILY}`;
+      context.fillStyle = colour;
+      context.fillRect(x + 1, y + 1, 12, 12);
+      context.font = `14px ${FAMILY}`;
       context.fillStyle = seen.inks.ink;
       context.fillText(text, x + 20, y + 12);
     });
