@@ -115,8 +115,8 @@ export function link(asked) {
   pairs.push(...Object.entries(given(asked)));
   pairs.push(["axes", asked.axes.join()], ["spin", asked.spin],
     ...asked.axes.filter((name) => asked.ends[name]).map((name) => ["ends", `${name}=${asked.ends[name]}`]),
-    ...asked.show ? [["show", asked.show]] : [],
     ...Object.entries(asked.values).map(([name, text]) => ["set", `${name}=${text}`]));
+  if (asked.show) pairs.push(["show", asked.show]);
   return `#${new URLSearchParams(pairs)}`;
 }
 

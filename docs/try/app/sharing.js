@@ -110,21 +110,21 @@ export class Sharing {
 
   /** @returns {import("../views/picture.js").Seen} */
   lit() {
-    const badge = document.querySelector("#verdict .badge"), page = getComputedStyle(document.body);
+    const badge = /** @type {Element} */ (document.querySelector("#verdict .badge"));
+    const page = getComputedStyle(document.body), decided = this.answers.answered.decided;
     /** @param {string} place @returns {string[]} */
     const texts = (place) => [...document.querySelectorAll(place)].map((one) => one.textContent?.trim() ?? "");
-    const { body, chart } = this.views, charted = chart.printed();
+    const { body, chart } = this.views, charted = chart.printed?.() ?? null;
     const views = [...body.body ? [{ width: SIZE, height: SIZE, draw: (/** @type {any} */ context) =>
       paint(context, SIZE, body.picture, LIGHT) }] : [], ...charted ? [charted] : []];
-    const values = this.answers.answered.decided?.question.values ?? {};
     const key = [...document.querySelectorAll("#charted .key li")].map((one) => ({ text: one.textContent?.trim() ?? "",
       colour: getComputedStyle(/** @type {any} */ (one.querySelector("span"))).backgroundColor }));
     const inks = { ink: page.color, paper: page.backgroundColor, quiet: getComputedStyle(at("source")).color,
       line: getComputedStyle(at("decision")).borderTopColor };
     return { title: title(), line: line(this.asked), views, key: charted ? key : [],
-      verdict: { text: badge?.textContent ?? "", more: texts("#verdict .damped").join(), colour: badge
-        ? getComputedStyle(badge).color : "" },
-      numbers: Object.entries(values).map((pair) => pair.join(" = ")), inks };
+      verdict: { text: decided && !decided.answer.error ? badge.textContent ?? "" : "",
+        more: texts("#verdict .damped").join(), colour: getComputedStyle(badge).color },
+      numbers: Object.entries(decided?.question.values ?? {}).map((pair) => pair.join(" = ")), inks };
   }
 
   /** The picture on paper; where answers are marked, a sentence. */
