@@ -110,7 +110,7 @@ export class Sharing {
 
   /** @returns {import("../views/picture.js").Seen} */
   lit() {
-    const badge = /** @type {Element} */ (document.querySelector("#verdict .badge"));
+    const badge = document.querySelector("#verdict .badge");
     const page = getComputedStyle(document.body), decided = this.answers.answered.decided;
     /** @param {string} place @returns {string[]} */
     const texts = (place) => [...document.querySelectorAll(place)].map((one) => one.textContent?.trim() ?? "");
@@ -122,8 +122,8 @@ export class Sharing {
     const inks = { ink: page.color, paper: page.backgroundColor, quiet: getComputedStyle(at("source")).color,
       line: getComputedStyle(at("decision")).borderTopColor };
     return { title: title(), line: line(this.asked), views, key: charted ? key : [],
-      verdict: { text: decided && !decided.answer.error ? badge.textContent ?? "" : "",
-        more: texts("#verdict .damped").join(), colour: getComputedStyle(badge).color },
+      verdict: { text: badge && decided && !decided.answer.error ? badge.textContent ?? "" : "",
+        more: texts("#verdict .damped").join(), colour: badge ? getComputedStyle(badge).color : "" },
       numbers: Object.entries(decided?.question.values ?? {}).map((pair) => pair.join(" = ")), inks };
   }
 
