@@ -19,8 +19,9 @@ SCENE = f"""() => ({{ numbers: ({NUMBERS})(), verdict: document.querySelector(".
     equilibrium: document.querySelector("#equilibria :checked").value }})"""
 CHART = """() => ["across", "upwards"].map((id) => document.getElementById(id).value).concat(
     document.getElementById("chart").ariaLabel, document.getElementById("ends").textContent)"""
-LOOK = """() => ["header > p", "#ask", "#derived", "#take", "#because", "footer", "#charted", "#nearby canvas",
-    "#verdict", "#values"].filter((place) => document.querySelector(place)?.checkVisibility())"""
+LOOK = """() => ["header > p", "#ask", "#derived", "#take", "#because", "footer", "#charted",
+    "#nearby canvas", "#verdict", "#values"].filter(
+    place => document.querySelector(place)?.checkVisibility())"""
 FITS = """() => {
     const { scrollWidth, scrollHeight, clientWidth, clientHeight } = document.documentElement;
     return scrollWidth <= clientWidth && scrollHeight <= clientHeight;
@@ -126,7 +127,7 @@ def lecture(page):
 
 @pytest.mark.parametrize("size, theme", [((1280, 720), "light"), ((1920, 1080), "dark")])
 def test_a_lecture_has_large_letters_and_one_scene(lecture, size, theme):
-    """Body, verdict, sliders on the whole screen; the verdict has six hundredths of its height; axe finds nothing."""
+    """Body, verdict, sliders on the whole screen; the verdict has 6 % of its height; axe finds nothing."""
     lecture.set_viewport_size({"width": size[0], "height": size[1]})
     lecture.emulate_media(color_scheme=theme)
     for number in (0, 4, 8, 9, 10):
@@ -177,7 +178,7 @@ def test_a_link_opens_a_lecture(page, context):
 
 @pytest.mark.parametrize("theme", ["light", "dark"])
 def test_a_picture_is_what_is_seen(page, theme):
-    """As SVG: the scene, its verdict, numbers, key and chart; its colours are for paper, whatever the page's."""
+    """As SVG: the scene, its verdict, numbers, key and chart; its colours are those of paper always."""
     page.emulate_media(color_scheme=theme)
     picked(page, 0)
     drawn(page)

@@ -24,11 +24,13 @@ export class Entries {
    * @param {() => number} now milliseconds
    */
   constructor(push, replace, now = () => performance.now()) {
-    Object.assign(this, { push, replace, now });
+    this.push = push;
+    this.replace = replace;
+    this.now = now;
     /** @type {string | undefined} what the browser has */
     this.written = undefined;
-    /** @type {string | undefined} what it will have */
-    this.address = undefined;
+    /** What it will have, once there is something on the page. */
+    this.address = "";
     this.field = "";
     this.next = 0;
     this.fresh = false;
@@ -55,7 +57,7 @@ export class Entries {
    * library has filled in what the visitor left open
    */
   follow(address, by) {
-    const other = this.address !== undefined && sceneOf(address) !== sceneOf(this.address);
+    const other = this.address && sceneOf(address) !== sceneOf(this.address);
     if (other && by !== undefined && (by === "" || by !== this.field)) {
       if (!this.fresh && this.later !== undefined) this.before();
       this.fresh = true;
@@ -73,7 +75,7 @@ export class Entries {
 
   write() {
     clearTimeout(this.later);
-    const { address, written } = this, push = this.fresh && sceneOf(address) !== sceneOf(written);
+    const { address, written } = this, push = this.fresh && sceneOf(address) !== sceneOf(written ?? "");
     this.later = undefined;
     this.fresh = false;
     if (address === written) return;

@@ -3,6 +3,7 @@ import { address, title } from "./sharing.js";
 import { line } from "./scene.js";
 
 const MODES = ["embed", "lecture"];
+/** @type {Record<string, number>} */
 const STEPS = { n: 1, PageDown: 1, p: -1, PageUp: -1 };
 /** @param {string} id @returns {any} */
 const at = (id) => document.getElementById(id);

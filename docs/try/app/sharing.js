@@ -114,7 +114,7 @@ export class Sharing {
     const page = getComputedStyle(document.body), decided = this.answers.answered.decided;
     /** @param {string} place @returns {string[]} */
     const texts = (place) => [...document.querySelectorAll(place)].map((one) => one.textContent?.trim() ?? "");
-    const { body, chart } = this.views, charted = chart.printed?.() ?? null;
+    const { body, chart } = this.views, charted = /** @type {any} */ (chart).printed?.() ?? null;
     const views = [...body.body ? [{ width: SIZE, height: SIZE, draw: (/** @type {any} */ context) =>
       paint(context, SIZE, body.picture, LIGHT) }] : [], ...charted ? [charted] : []];
     const key = [...document.querySelectorAll("#charted .key li")].map((one) => ({ text: one.textContent?.trim() ?? "",

@@ -9,7 +9,7 @@ const BELOW = { alphabetic: 0, middle: 0.35, top: 0.8, bottom: -0.2 };
 const ANCHORS = { left: "start", start: "start", center: "middle", right: "end", end: "end" };
 const FONT = /^(?:(italic) )?(?:(normal|bold|\d+) )?([\d.]+)px (.+)$/;
 // What no XML may have: control characters and halves of a pair of surrogates.
-const FORBIDDEN = /[\0-\x08\x0b\x0c\x0e-\x1f\ufffe\uffff]|\p{Cs}/gu;
+const FORBIDDEN = /(?![\t\n\r])[\p{Cc}\p{Cs}\ufffe\uffff]/gu;
 
 /** @param {number} x */
 const round = (x) => String(Number(x.toFixed(2)) + 0);
