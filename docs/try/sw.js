@@ -2,7 +2,8 @@
 // A version is taken whole or not at all, and a page that is open stays with the version that it began with.
 const VERSION = "{version}";
 const LIST = "files.json";
-const SCOPE = self.registration.scope;
+const worker = /** @type {ServiceWorkerGlobalScope} */ (/** @type {unknown} */ (self));
+const SCOPE = worker.registration.scope;
 
 /** @param {string} name @param {string} integrity */
 const key = (name, integrity) => `${SCOPE}${name}?${integrity}`;
@@ -39,7 +40,7 @@ async function whole() {
 // No page is open that began with another version.
 async function alone() {
   const store = await opened(), files = Object.entries(await listed());
-  const needed = new Set([[LIST, { integrity: VERSION }], ...files].map(([name, { integrity }]) => key(name, integrity)));
+  const needed = new Set([key(LIST, VERSION), ...files.map(([name, { integrity }]) => key(name, integrity))]);
   for (const { url } of await store.keys()) if (!needed.has(url)) await store.delete(url);
 }
 
@@ -50,9 +51,9 @@ async function answer(name, request) {
   return entry ? file(name, entry.integrity) : fetch(request);
 }
 
-self.addEventListener("install", (event) => event.waitUntil(whole()));
-self.addEventListener("activate", (event) => event.waitUntil(alone()));
-self.addEventListener("fetch", (event) => {
+worker.addEventListener("install", (event) => event.waitUntil(whole()));
+worker.addEventListener("activate", (event) => event.waitUntil(alone()));
+worker.addEventListener("fetch", (event) => {
   const { request } = event, [address] = request.url.split(/[?#]/);
   const name = address.slice(SCOPE.length) || "index.html";
   // The archives are kept unpacked, by the threads that unpack them, which look there first.
@@ -60,6 +61,6 @@ self.addEventListener("fetch", (event) => {
   event.respondWith(answer(name, request));
 });
 // A page that came without this worker is its own if it is of the same version.
-self.addEventListener("message", (event) => {
-  if (event.data === VERSION) event.waitUntil(self.clients.claim());
+worker.addEventListener("message", (event) => {
+  if (event.data === VERSION) event.waitUntil(worker.clients.claim());
 });

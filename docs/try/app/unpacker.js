@@ -1,6 +1,7 @@
 // One archive of the runtime in a thread of its own: fetched, compared with its hash, unpacked, and kept so where the
 // browser lets a page keep something. The thread beside it starts Python meanwhile.
-import "../runtime/xz.js";
+
+const decoder = import(new URL("../runtime/xz.js", import.meta.url).href);
 
 /** @param {string} name @param {string} integrity */
 const key = (name, integrity) => new URL(`../${name}?${integrity}`, self.location.href).href;
@@ -13,8 +14,8 @@ onmessage = ({ data: { name, integrity } }) => {
 async function unpacked(name, integrity) {
   const store = await self.caches?.open("gyrostat").catch(() => undefined);
   const kept = await store?.match(key(name, integrity));
-  const ready = kept?.headers.has("unpacked");
-  const data = await (ready ? kept : await opened(kept ?? await fetched(name, integrity), name, integrity)).arrayBuffer();
+  const ready = kept?.headers.has("unpacked") ? kept : undefined;
+  const data = await (ready ?? await opened(kept ?? await fetched(name, integrity), integrity)).arrayBuffer();
   const whole = ready ? null : new Response(data, { headers: { unpacked: "" } });
   postMessage({ data }, [data]);
   if (whole) await store?.put(key(name, integrity), whole).catch(() => {});     // a browser that is full starts without
@@ -33,11 +34,10 @@ async function fetched(name, integrity) {
 /**
  * The content of an archive, whose hash is compared when it is whole.
  * @param {Response} response
- * @param {string} name
  * @param {string} integrity
  */
-async function opened(response, name, integrity) {
-  /** @type {Uint8Array[]} */
+async function opened(response, integrity) {
+  /** @type {Uint8Array<ArrayBuffer>[]} */
   const chunks = [];
   let got = 0;
   const counted = new TransformStream({
@@ -47,6 +47,7 @@ async function opened(response, name, integrity) {
       postMessage({ got });
       controller.enqueue(chunk.slice());                // the decoder may keep what it is given
     } });
+  await decoder;
   const { XzReadableStream } = /** @type {any} */ (self)["xz-decompress"];
   const data = await new Response(new XzReadableStream(response.body?.pipeThrough(counted))).arrayBuffer();
   const hash = await self.crypto.subtle?.digest("SHA-256", await new Blob(chunks).arrayBuffer());

@@ -72,7 +72,7 @@ async function interpreter(runtime) {
   const bytes = (name) => /** @type {BlobPart} */ (runtime.get(name));
   const script = URL.createObjectURL(new Blob([bytes("pyodide.asm.mjs")], { type: "text/javascript" }));
   const [{ loadPyodide }, { default: createPyodideModule }] = await Promise.all([
-    import("../runtime/pyodide.mjs"), import(script)]);
+    import(new URL("../runtime/pyodide.mjs", import.meta.url).href), import(script)]);
   return loadPyodide({ createPyodideModule, stdLibURL: new URL("../runtime/python.zip", import.meta.url).href,
     lockFileContents: new TextDecoder().decode(runtime.get("pyodide-lock.json")) });
 }
@@ -84,8 +84,8 @@ async function hash(data) {
 }
 
 async function started() {
-  const response = await fetch("../files.json", { cache: "no-cache" }).catch(() => ({ ok: false, status: "" }));
-  if (!response.ok) throw new Error(`files.json: ${response.status || "it did not come"}`);
+  const response = await fetch("../files.json", { cache: "no-cache" }).catch(() => undefined);
+  if (!response?.ok) throw new Error(`files.json: ${response?.status ?? "it did not come"}`);
   const list = await response.arrayBuffer();
   const [runtime, ...packages] = archives(JSON.parse(new TextDecoder().decode(list)));
   const version = await hash(list);
