@@ -1,5 +1,5 @@
 // Motions by extrapolation: Gragg's rule with 2, 4, …, 16 steps, extrapolated to none (Hairer, Nørsett & Wanner,
-// Solving Ordinary Differential Equations I, II.9), the step chosen so that the last two differ by less than asked.
+// Solving Ordinary Differential Equations I, II.9); a step is such that the last two differ by less than asked.
 const ROWS = 8;
 
 /** @typedef {(state: number[]) => number[]} Rate a new array of each state */
