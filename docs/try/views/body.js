@@ -7,9 +7,9 @@ import { paint } from "./body-picture.js";
 import { DARK, LIGHT } from "./colours.js";
 import { turning } from "./hands.js";
 
-const PATIENCE = 150;                                   // milliseconds for which an old verdict colours the path
+const PATIENCE = 150;                                   // milliseconds of an old verdict on the path
 const WORK = 4;                                         // milliseconds of a frame for what is to come
-const FRAME = 1000 / 60, LONGEST = 3;                   // milliseconds of a frame; frames that a slow one makes good
+const FRAME = 1000 / 60, LONGEST = 3;                   // milliseconds; as many frames a slow one makes good
 
 export class Nearby {
   /**
