@@ -131,7 +131,7 @@ def built(target: Path, stage: Path) -> None:
 
 
 def listed(target: Path) -> str:
-    """Write the list of the files and the service worker that keeps them; say how many and how large they are."""
+    """Write the list of the files, and the service worker that keeps them; say how many there are."""
     for name in (LIST, SERVICE):
         (target / name).unlink(missing_ok=True)
     files = {path.relative_to(target).as_posix(): _listed(path)

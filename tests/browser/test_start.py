@@ -9,7 +9,10 @@ from browser.driving import SLOW, shown, typed
 from build import listed
 
 FOLDER = Path(os.environ["GYROSTAT_SITE"]) / "try"
-CONTROLLED = "async () => { await navigator.serviceWorker.ready; return !!navigator.serviceWorker.controller; }"
+CONTROLLED = """async () => {
+    await navigator.serviceWorker.ready;
+    return Boolean(navigator.serviceWorker.controller);
+}"""
 UPDATED = """async () => {
     const registration = await navigator.serviceWorker.ready;
     await registration.update().catch(() => {});
@@ -67,7 +70,7 @@ def version(page):
 
 
 def test_the_second_visit_needs_no_network(folder, visitor):
-    """No server is there; a computation that has been ended starts again; a link and a query lead to the page."""
+    """No server is there; a computation that was ended starts again; a folder and a query lead here."""
     with served(folder) as address:
         kept(visitor, address).close()
     for way in (address, address.replace("index.html", ""), f"{address}?from=mail"):
