@@ -1,5 +1,5 @@
 // The page: what is asked stands in `asked`, what is answered in `answers`; every view is drawn from the two.
-import { fitted, word } from "../views/blocks.js";
+import { fitted, typeset, word } from "../views/blocks.js";
 import { Nearby } from "../views/body.js";
 import { Chart } from "../views/chart.js";
 import { Analyser } from "./analyser.js";
@@ -129,11 +129,11 @@ function restore({ table, axes = [], ends = {} }) {
 }
 
 function told({ failed, ...news }) {
+  if (news.version) return keep(news.version);
   const { share, text } = progress(news);
   at("starting").hidden = Boolean(news.ready || failed);
   at("progress").value = share ?? at("progress").value;
   if (!failed) at("status").textContent = text;
-  if (news.version) keep(news.version);
   const why = navigator.onLine ? `${failed}). A file is not on the server, or this browser is too old for it`
     : "the network is not there). It starts again when the network is back";
   notice("library", failed && `The library could not be started (${why}. What is typed stays; the library runs on your own `
@@ -179,6 +179,7 @@ function arrive() {
 }
 
 document.fonts.onloadingerror = () => lost("A font", "formulas may look odd.");
+at("katex").onload = typeset;
 if (document.readyState === "complete") checked();
 else window.onload = checked;
 window.onhashchange = arrive;
