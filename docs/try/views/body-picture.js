@@ -60,7 +60,7 @@ class Painter {
       const [u, v] = shown[(n + 1) % shown.length];
       return sum + x * v - u * y;
     }, 0);
-    const facing = Math.abs(area) < 1e-9 ? 0 : -Math.sign(area);
+    const facing = -Math.sign(area);
     const normal = turned(this.looking, unit(cross(vector((n) => b[n] - a[n]), vector((n) => c[n] - a[n]))));
     const light = 0.66 + 0.34 * facing * dot(normal, SUN);
     return { shown, facing, colour: `rgb(${rgb.map((x) => Math.round(x * light)).join(", ")})` };
