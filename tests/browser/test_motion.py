@@ -47,10 +47,11 @@ def scenes(count):
         yield table, values, state[:3 if field == "none" else 6]
 
 
-def test_motions_are_those_of_the_library(page):
-    """To 1e-9, 50 of them."""
+@pytest.mark.parametrize("count", [50, pytest.param(200, marks=pytest.mark.slow)])
+def test_motions_are_those_of_the_library(page, count):
+    """To 1e-9."""
     given, expected = [], []
-    for table, values, state in scenes(50):
+    for table, values, state in scenes(count):
         scene = chosen(table).scene
         given.append({"rates": steps_to(scene.vector_field()), "state": [float(x) for x in state],
                       "coordinates": [x.name for x in scene.space.coordinates],

@@ -47,16 +47,14 @@ export function formula(latex, displayMode = false) {
 
 /** @param {Part[]} given */
 const parts = (given) => given.map(({ text, tex = "" }) => text ?? formula(tex));
-/** @param {Part[]} given */
-const plain = (given) => given.map(({ text, tex = "" }) => text ?? tex).join("");
 
 /** @param {Block} given */
 function block({ heading, level = 1, sentence, display, title = "", rows = [] }) {
   if (heading !== undefined) return element(/** @type {"h3"} */ (`h${level + 2}`), {}, heading);
   if (display !== undefined) return formula(display, true);
   if (sentence !== undefined) return element("p", {}, ...parts(sentence));
-  return element("table", {}, element("caption", {}, title), ...rows.map(([symbol, meaning]) => element("tr", {},
-    element("th", { scope: "row", ariaLabel: plain(symbol) }, ...parts(symbol)), element("td", {}, ...parts(meaning)))));
+  return element("table", {}, element("caption", {}, title),
+    ...rows.map((cells) => element("tr", {}, ...cells.map((cell) => element("td", {}, ...parts(cell))))));
 }
 
 /**
