@@ -162,7 +162,8 @@ class Painter {
    */
   name(ray, body) {
     const { context, size } = this, { u, v, p, q } = this.ends(ray), { name, aside } = ray;
-    const across = aside * size / 24, along = aside ? 0 : size / 22, edge = size * 0.015 * (1 + name.length);
+    const across = aside * size / 24, along = aside ? 0 : size * (0.04 + 0.011 * name.length * Math.abs(p));
+    const edge = size * 0.015 * (1 + name.length);
     const x = Math.min(size - edge, Math.max(edge, u + p * along - q * across));
     const y = Math.min(size * 0.97, Math.max(size * 0.03, v + q * along + p * across));
     if (!ray.front && body.some(({ shown, facing }) => facing > 0 && inside(shown, x, y))) return;
