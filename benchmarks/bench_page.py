@@ -108,7 +108,8 @@ def main():
 def told(starts):
     """The seconds of each start, and the ratios with what they are to reach."""
     print(f"| {' | '.join(starts[0])} |\n|{'---|' * len(starts[0])}")
-    print(f"| {' | '.join(f'{statistics.median(each[name] for each in starts):.2f}' for name in starts[0])} |\n")
+    medians = [statistics.median(each[name] for each in starts) for name in starts[0]]
+    print(f"| {' | '.join(f'{seconds:.2f}' for seconds in medians)} |\n")
     print("| ratio | median | at most |\n|---|---|---|")
     for name, (one, other, most) in RATIOS.items():
         ratio = statistics.median(each[one] / each[other] for each in starts)

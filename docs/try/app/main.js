@@ -204,3 +204,4 @@ try {
 }
 form.list(examples);
 arrive();
+analyser.start();                                        // after what is needed to show a prepared answer
