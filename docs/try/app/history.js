@@ -53,8 +53,8 @@ export class Entries {
   /**
    * The address of what is on the page now.
    * @param {string} address
-   * @param {string} [by] what set another scene: the field in which it is typed, or "" for all else; none if the
-   * library has filled in what the visitor left open
+   * @param {string} [by] what set another scene: the field in which it is typed, or "" for all else; none if
+   * the library has filled in what the visitor left open
    */
   follow(address, by) {
     const other = this.address && sceneOf(address) !== sceneOf(this.address);
