@@ -58,6 +58,7 @@ else:
         page = context.new_page()
         page.goto(address)
         page.wait_for_selector("body[aria-busy=false] .badge")
+        page.click("#asked > summary")                 # the form is folded
         return page
 
     @pytest.fixture

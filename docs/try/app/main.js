@@ -1,80 +1,102 @@
-// The page: what is typed and picked is the question; every card shows its answer, or is marked until it has come.
-import { Analyser } from "./analyser.js";
-import { Card } from "./card.js";
+// The page: what is asked stands in `asked`, what is answered in `answers`; every view is drawn from the two.
+import { fitted, word } from "../views/blocks.js";
 import { Chart } from "../views/chart.js";
-import { making } from "./made.js";
 import { Nearby } from "../views/motion.js";
+import { Analyser } from "./analyser.js";
+import { Answers } from "./answers.js";
+import { checked } from "./arrived.js";
+import { cards } from "./cards.js";
+import { copied } from "./copies.js";
+import { Form } from "./form.js";
 import { lost, notice, reload } from "./notices.js";
-import { heard, possible } from "./numbers.js";
-import { element, placed, shown, sliders, unstyled, verdict, word } from "../views/blocks.js";
-import { filled, link, linked, scene, spun, state, TEXTS } from "./scene.js";
+import { possible } from "./numbers.js";
+import { link, linked, nothing, numbered, scene, taken } from "./scene.js";
+import { KINDS, questions } from "./state.js";
 
 const STEPS = ["interpreter", "packages", "library", "ready"];
 const SAID = { interpreter: "Python is loading", packages: "SymPy and python-flint are loading",
   library: "the library is loading", ready: "ready" };
-const PAUSE = 300;                                      // milliseconds after a key
+const SOON = 60;                                        // milliseconds before the boundary of a chart is asked for
 const at = (id) => document.getElementById(id);
 
 at("unstarted").remove();
 window.onerror = (message) => notice("page", `This page failed (${message}).`, ...reload);
 window.onunhandledrejection = ({ reason }) => window.onerror(reason?.message ?? reason);
 
+const asked = nothing(), drawn = {};
+let examples = [];
 const analyser = new Analyser(told);
-const ask = (want, table, more) => analyser.ask(want, table, more);
-const answers = (want, draw) => new Card((table) => ask(want, table), draw, update);
-const scenes = answers("analysed", analysed), verdicts = answers("decided", decided);
-const windows = answers("opened", (found) => shown(at("between"), found ?? {}));
-const derivations = answers("derived", (found) => shown(at("blocks"), found ?? {}));
-const copies = answers("copied", (found) => copied(found?.[copying], found?.error));
-const chart = new Chart(at("charted"), ask, set, update);
-const nearby = new Nearby(at("nearby"), ask, changed, update);
+const asks = Object.fromEntries(KINDS.map((kind) => [kind, (question) => analyser.ask(kind, question)]));
+const answers = new Answers({ ...asks,
+  charted: ({ scene, axes }) => analyser.ask("charted", scene, [axes]),
+  edges: ({ scene, axes, ends }) => analyser.ask("edges", scene, [axes, ends]) }, update, { analysed });
+const form = new Form(asked, changed, (n) => restore({ table: examples[n].scene, axes: [] }));
+const chart = new Chart(at("charted"), asked, answers, set, update);
+const nearby = new Nearby(at("nearby"), asked, answers, changed, update);
+const draw = cards(asked, form, changed);
 const SECTIONS = document.querySelectorAll("main section");
-let examples = [], copying = "";
 
-// Of each place the card whose answer it shows.
-const PLACES = { equilibria: scenes, values: scenes, error: scenes, conditions: scenes, place: scenes, opened: scenes,
-  verdict: verdicts, wrong: verdicts, reasons: verdicts, here: verdicts, between: windows, blocks: derivations,
-  picture: chart, path: nearby };
+// Of each place the kind of the answer that it shows, or the view.
+const PLACES = { equilibria: "analysed", values: "analysed", error: "analysed", conditions: "analysed",
+  place: "analysed", opened: "analysed", verdict: "decided", wrong: "decided", reasons: "decided", here: "decided",
+  between: "opened", blocks: "derived", picture: chart, path: nearby };
 
-// Every card, from what the page asks now; if something is typed, after a pause.
-function update(pause) {
-  scenes.follow(scene(), pause);
-  const known = scenes.waiting ? undefined : scenes.answer.error ? null : scene();
-  const values = Object.fromEntries((scenes.answer?.names ?? []).map(({ name }) => [name, state.values[name]]));
-  const whole = known && { ...known, values };
-  verdicts.follow(whole);
-  windows.follow(at("opened").open && !at("opened").hidden ? whole : null);
-  derivations.follow(at("derivation").open ? known : null);
-  copies.follow(copying && copying !== "link" ? whole : null);
-  const value = (name) => possible(name, state.values[name]);
-  chart.follow(known, values, value, verdicts.waiting);
-  nearby.follow(known, Object.keys(values), state.values, value, verdicts.waiting);
-  const { answer, question } = verdicts;
+// Every question, from what the page asks now, and every view; if something is typed, after a pause.
+function update(pause = 0) {
+  const pauses = { analysed: pause, edges: SOON };
+  for (const [kind, question] of Object.entries(questions(asked, answers, possible))) {
+    answers.follow(kind, question, pauses[kind]);
+  }
+  for (const kind of KINDS) {
+    const now = answers.answered[kind];
+    if (now === drawn[kind]) continue;
+    drawn[kind] = now;
+    draw[kind]?.(now?.answer, now?.question);
+  }
+  const reading = answers.waiting("decided"), { answer, question } = answers.answered.decided ?? {};
+  chart.follow(reading);
+  nearby.follow(reading);
   at("here").textContent = answer?.verdict
-    ? `${chart.axes.map((name) => `${name} = ${question.values[name]}`).join(", ")}: ${word(answer.verdict)}` : "";
-  for (const [id, card] of Object.entries(PLACES)) marked(at(id), card.waiting);
-  for (const section of SECTIONS) section.classList.toggle("waiting", Boolean(section.querySelector("[aria-busy=true]")));
-  document.body.ariaBusy = String([scenes, verdicts, windows, derivations, copies].some((card) => card.waiting));
+    ? `${asked.axes.map((name) => `${name} = ${question.values[name]}`).join(", ")}: ${word(answer.verdict)}` : "";
+  if (asked.copying && asked.copying !== "link") copying();
+  mark();
 }
 
 // An answer to another question than the page's is gone if the scene is another, and pale if the numbers are.
-function marked(place, waiting) {
-  place.ariaBusy = String(waiting);
-  place.style.opacity = waiting ? 0.4 : "";
-  place.style.visibility = scenes.waiting && place.classList.contains("answer") ? "hidden" : "";
+function mark() {
+  for (const [id, shows] of Object.entries(PLACES)) {
+    const place = at(id), waiting = typeof shows === "string" ? answers.waiting(shows) : shows.waiting;
+    place.ariaBusy = String(waiting);
+    place.style.opacity = waiting ? 0.4 : "";
+    place.style.visibility = answers.waiting("analysed") && place.classList.contains("answer") ? "hidden" : "";
+  }
+  for (const section of SECTIONS) section.classList.toggle("waiting", Boolean(section.querySelector("[aria-busy=true]")));
+  document.body.ariaBusy = String(["analysed", "decided", "opened", "derived", "copied"].some((kind) => answers.waiting(kind)));
+}
+
+// The library names the equilibrium that it has chosen, and the axes that a chart may have.
+function analysed(found) {
+  if (found.equilibria) asked.equilibrium = found.chosen;
+  fitted(asked, found.names ?? []);
+  if (found.axes) chart.choose(found.axes);
+  return scene(asked);
 }
 
 // Something is set by the visitor: what was copied is of what was there before.
 function changed(pause) {
-  copying = "";
-  copied();
+  asked.copying = "";
+  copied("");
   remember();
   update(pause);
 }
 
-// Other numbers, whose fields are made again even if the scene is the one before.
-function renewed() {
-  scenes.forget();
+// Other fields and numbers, which are made again even if the scene is the one before.
+function restore({ table, axes }) {
+  const example = numbered(table, examples);
+  Object.assign(asked, taken(table));
+  chart.wanted = axes;
+  form.fill(example, examples[example]?.source ?? "");
+  answers.forget("analysed");
   changed();
 }
 
@@ -91,46 +113,10 @@ function told({ step, ready, failed }) {
 }
 
 function again() {
-  for (const card of [scenes, verdicts, windows, derivations, copies, chart.programs, chart.edges, nearby.programs]) {
-    if (card.answer?.lost) card.forget();
-  }
+  for (const kind of KINDS) if (answers.answered[kind]?.answer.lost) answers.forget(kind);
   told({ step: STEPS[0] });
   analyser.start();
   update();
-}
-
-function analysed(found) {
-  if (found.equilibria) {
-    state.equilibrium = found.chosen;
-    choices(found);
-    making(state, found);
-  } else {                                              // the list of the scene before
-    for (const input of at("equilibria").querySelectorAll("input")) input.checked = input.value === state.equilibrium;
-    if (state.equilibrium === "point") making(state, { made_with: "point" });             // for what is to be typed
-    else if (at("made").name === "point") at("made-row").hidden = true;
-  }
-  at("error").textContent = found.error ?? "";
-  at("derived").inert = Boolean(found.error);
-  state.place = found.place;
-  at("place").hidden = !found.point;
-  at("opened").hidden = !found.open;
-  at("derivation").hidden = Boolean(found.error);
-  shown(at("point"), { blocks: found.point });
-  shown(at("conditions"), { blocks: found.conditions });
-  sliders(at("values"), found.names ?? [], state.values, changed);
-  if (found.axes) chart.choose(found.axes);
-  return scene();                                       // with the equilibrium that was chosen
-}
-
-function decided(found, question) {
-  const { error = "", ...answer } = found ?? {};
-  at("wrong").textContent = error;
-  for (const text of at("values").querySelectorAll("[id]")) text.ariaInvalid = String(error.includes(`'${text.value}'`)
-    || error.startsWith(`${text.id.slice(6)} = `));
-  verdict(at("verdict"), at("reasons"), answer);
-  if (!answer.doubles) return;
-  heard(question.values, answer.doubles);
-  placed(at("values"));
 }
 
 // A number is set by a picture.
@@ -140,96 +126,46 @@ function set(name, text) {
   input.dispatchEvent(new Event("input"));
 }
 
-function choices({ equilibria, chosen }) {
-  const held = at("equilibria").contains(document.activeElement);
-  at("equilibria").replaceChildren(...equilibria.map(({ name, title, why }) => {
-    const input = element("input", { type: "radio", name: "equilibrium", value: name, checked: name === chosen });
-    input.onchange = () => {
-      if (name === "point" && !state.made.point) state.made.point = state.place ?? "";
-      state.equilibrium = name;
-      changed();
-    };
-    return element("label", { title: why, className: why ? "none" : "" }, input, ` ${name} `,
-      element("small", {}, why ? "not here" : title === `rotation about ${name}` ? "" : title));
-  }));
-  if (held) at("equilibria").querySelector(":checked").focus();
-}
-
 // The address is a link that restores what is on the page. Browsers take a new one some hundred times in half a
 // minute, then refuse; a slider moves oftener.
 let remembering;
 function remember() {
   remembering ??= setTimeout(() => {
     remembering = undefined;
-    history.replaceState(null, "", link(chart.axes));
+    history.replaceState(null, "", link(asked));
   }, 400);
 }
 
-function copy(kind) {
-  copying = kind;
-  if (kind === "link") copied(new URL(link(chart.axes), location).href);
-  else if (copies.answer && !copies.waiting) copied(copies.answer[kind], copies.answer.error);
-  update();
+// What is asked for is copied when it has come.
+function copying() {
+  const kind = asked.copying, found = answers.of("copied");
+  if (!found || drawn.copying === found) return;
+  drawn.copying = found;
+  copied(kind, found[kind], found.error);
 }
 
-// What is to be copied; nothing; or why there is nothing.
-function copied(text, error = "") {
-  at("copied").value = text ?? "";
-  at("copied").hidden = !text;
-  at("said").textContent = error;
-  if (!text) return;
-  at("copied").rows = Math.min(text.split("\n").length, 14);
-  at("copied").scrollIntoView({ block: "nearest" });
-  const done = `${document.querySelector(`[data-copy=${copying}]`).textContent}: copied`;
-  navigator.clipboard?.writeText(text).then(() => { if (at("copied").value === text) at("said").textContent = done; }, () => {});
-}
-
-for (const name of [...TEXTS, "made"]) {
-  at(name).oninput = () => {
-    if (name === "made") state.made[at(name).name] = at(name).value;
-    at("example").selectedIndex = -1;                   // what is typed is another scene
-    at("source").textContent = "";
-    changed(PAUSE);
+for (const button of document.querySelectorAll("[data-copy]")) {
+  button.onclick = () => {
+    asked.copying = button.dataset.copy;
+    drawn.copying = null;
+    if (asked.copying === "link") copied("link", new URL(link(asked), location).href);
+    update();
   };
 }
-at("opened").ontoggle = at("derivation").ontoggle = () => update();
-at("ask").onsubmit = () => false;
-at("spin").onchange = () => { state.spin = at("spin").value; spun(); renewed(); };
-at("example").onchange = () => { filled(examples[at("example").value].scene, examples); renewed(); };
-for (const button of document.querySelectorAll("[data-copy]")) button.onclick = () => copy(button.dataset.copy);
+for (const [id, kind] of [["opened", "opened"], ["derivation", "derived"]]) {
+  at(id).ontoggle = () => {
+    asked.open[kind] = at(id).open;
+    update();
+  };
+}
 
 // What the address says, or the first example.
-function restore() {
-  const found = linked();
-  chart.wanted = found?.axes ?? [];
-  filled(found?.table ?? examples[0]?.scene ?? {}, examples);
-  renewed();
-}
-
-// What the page can do without, and says so.
-function checked() {
-  if (!globalThis.katex) lost("katex/katex.min.js", "formulas stand here as they are written in LaTeX.");
-  for (const link of document.querySelectorAll("link[rel=stylesheet]")) {
-    if (arrived(link)) continue;
-    const name = link.getAttribute("href"), formulas = name.startsWith("katex");
-    if (formulas) unstyled();
-    lost(name, formulas ? "the browser sets the formulas." : "the page is plain, and has no chart.");
-  }
-}
-
-// Whether a style has come; the rules of one that has not are none, or cannot be asked for.
-function arrived({ sheet }) {
-  try {
-    return sheet.cssRules.length > 0;
-  } catch {
-    return false;
-  }
-}
+const arrive = () => restore(linked(location.hash.slice(1)) ?? { table: examples[0]?.scene ?? {}, axes: [] });
 
 document.fonts.onloadingerror = () => lost("A font", "formulas may look odd.");
 if (document.readyState === "complete") checked();
 else window.onload = checked;
-window.onhashchange = restore;
+window.onhashchange = arrive;
 window.ononline = () => { if (analyser.lost) again(); };
 try {
   const response = await fetch("examples.json");
@@ -238,5 +174,5 @@ try {
 } catch {
   lost("examples.json", "there is no example to pick; all else works.");
 }
-at("example").append(...examples.map(({ title }, n) => element("option", { value: n }, title)));
-restore();
+form.list(examples);
+arrive();

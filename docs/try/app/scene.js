@@ -1,71 +1,133 @@
-// The scene that the fields of the page say, as the table of a scene file, and as a link.
+// What the page asks: what is typed, picked and set. It is the table of a scene file, and a link.
 import { asGiven, given, MADE } from "./made.js";
+
+/**
+ * What is asked. Any name may be that of a number, constructor and __proto__ too, so that the tables of names have no
+ * names of their own.
+ * @typedef {object} Asked
+ * @property {Record<string, string>} texts the fields of the form, as they are typed
+ * @property {string} equilibrium the one that is picked; "" for the first that the library offers
+ * @property {string} spin the name by which the spin is given
+ * @property {Record<string, string>} made what the equilibrium is made with, by its kind
+ * @property {Record<string, string>} values numbers by their names, as they are typed
+ * @property {string[]} axes the names across and upwards of the chart
+ * @property {Record<string, [string, string]>} ends from where to where a slider and an axis of a name go
+ * @property {Record<string, boolean>} open whether what folds is open, by the question that it asks
+ * @property {string} copying what is to be copied; "" if nothing is
+ * @property {string} push by how much the motion is turned out of the equilibrium, in rad
+ */
+
+/** @typedef {Record<string, any>} Table the keys of a scene file */
 
 export const TEXTS = ["potential", "orbit", "inertia", "gyrostatic_momentum"];
 const PLAIN = /^-?[\d.]+([*/][\d.]+)*$/;
-const at = (id) => document.getElementById(id);
+
+/** @param {string} text */
 const entries = (text) => text.split(",").map((entry) => entry.trim());
+/** @param {string} text */
 const list = (text) => text.includes(";") ? text.split(";").map(entries) : entries(text);
+/** @param {any[]} value */
 const listed = (value) => value.map((row) => [row].flat().join(", ")).join(Array.isArray(value[0]) ? "; " : ", ");
 
-// Beside the fields: the equilibrium, its spin, what it is made with, numbers by their names. Any name is one,
-// constructor and __proto__ too, so that these objects have no names of their own.
+/** @type {(values?: Record<string, any>) => any} */
 const named = (values = {}) => Object.assign(Object.create(null), values);
-export const state = { equilibrium: "", spin: "", made: {}, values: named() };
 
-// Without numbers.
-export function scene() {
-  const table = { inertia: list(at("inertia").value),
-    gyrostatic_momentum: list(at("gyrostatic_momentum").value), spin: state.spin };
-  for (const name of ["potential", "orbit"]) if (at(name).value.trim()) table[name] = at(name).value;
-  return Object.assign(table, given(state));
+/** @returns {Asked} what is asked before anything is */
+export const nothing = () => ({ texts: {}, equilibrium: "", spin: "pi3_0", made: {}, values: named(), axes: ["", ""],
+  ends: named(), open: {}, copying: "", push: "0.05" });
+
+/**
+ * The parts of what is asked that a link or an example says; the library reads them as if they were typed.
+ * @param {Table} table
+ * @returns {Partial<Asked>}
+ */
+export function taken(table) {
+  return {
+    texts: { potential: table.potential ?? "U(k3)", orbit: asGiven(table.orbit),
+      inertia: listed(table.inertia ?? ["I1", "I1", "I3"]),
+      gyrostatic_momentum: listed(table.gyrostatic_momentum ?? ["0", "0", "l"]) },
+    equilibrium: table.point ? "point" : table.equilibrium ?? "",
+    made: Object.fromEntries(Object.keys(MADE).filter((name) => name in table)
+      .map((name) => [name, asGiven(table[name])])),
+    spin: table.spin ?? "pi3_0", values: named(table.values), ends: named() };
 }
 
-// The same spin by its momentum, or by its rate: pi3_0 = I3 omega3_0.
-export function spun() {
-  const { values } = state, { I3, omega3_0: rate, pi3_0: momentum } = values;
+/**
+ * The scene without numbers.
+ * @param {Asked} asked
+ * @returns {Table}
+ */
+export function scene(asked) {
+  const { texts, spin } = asked;
+  /** @type {Table} */
+  const table = { inertia: list(texts.inertia), gyrostatic_momentum: list(texts.gyrostatic_momentum), spin };
+  for (const name of ["potential", "orbit"]) if (texts[name].trim()) table[name] = texts[name];
+  return Object.assign(table, given(asked));
+}
+
+/**
+ * The same spin by its momentum, or by its rate: pi3_0 = I3 omega3_0.
+ * @param {Asked} asked
+ */
+export function spun({ values, spin }) {
+  const { I3, omega3_0: rate, pi3_0: momentum } = values;
+  /** @param {string[]} texts */
   const plain = (...texts) => texts.every((text) => PLAIN.test(text));
   if (rate === `${momentum}/${I3}` || momentum === `${rate}*${I3}`) return;
-  if (state.spin === "omega3_0" && plain(momentum, I3)) values.omega3_0 = `${momentum}/${I3}`;
-  if (state.spin === "pi3_0" && plain(rate, I3)) values.pi3_0 = `${rate}*${I3}`;
+  if (spin === "omega3_0" && plain(momentum, I3)) values.omega3_0 = `${momentum}/${I3}`;
+  if (spin === "pi3_0" && plain(rate, I3)) values.pi3_0 = `${rate}*${I3}`;
 }
 
-// What a link or an example says, into the fields; the library reads them as if they were typed.
-export function filled(table, examples) {
-  at("potential").value = table.potential ?? "U(k3)";
-  at("orbit").value = asGiven(table.orbit);
-  at("inertia").value = listed(table.inertia ?? ["I1", "I1", "I3"]);
-  at("gyrostatic_momentum").value = listed(table.gyrostatic_momentum ?? ["0", "0", "l"]);
-  state.equilibrium = table.point ? "point" : table.equilibrium ?? "";
-  state.made = Object.fromEntries(Object.keys(MADE).filter((name) => name in table)
-    .map((name) => [name, asGiven(table[name])]));
-  state.spin = at("spin").value = table.spin ?? "pi3_0";
-  state.values = named(table.values);
-  at("example").selectedIndex = examples.findIndex((example) => described(example.scene) === described(table));
-  at("source").textContent = examples[at("example").selectedIndex]?.source ?? "";
+/**
+ * The number of the example whose scene this is, whatever its values; -1 if there is none.
+ * @param {Table} table
+ * @param {{ scene: Table }[]} examples
+ */
+export const numbered = (table, examples) =>
+  examples.findIndex((example) => described(example.scene) === described(table));
+
+/** @param {Table} table */
+function described({ potential, orbit, inertia, gyrostatic_momentum, equilibrium, spin, ...made }) {
+  return JSON.stringify([potential, asGiven(orbit), asGiven(inertia), asGiven(gyrostatic_momentum), equilibrium,
+    spin ?? "pi3_0", ...Object.keys(MADE).map((name) => asGiven(made[name]))]);
 }
 
-// A scene without its values, to tell whether two are the same.
-const described = ({ potential, orbit, inertia, gyrostatic_momentum, equilibrium, spin, ...made }) => JSON.stringify([potential,
-  asGiven(orbit), asGiven(inertia), asGiven(gyrostatic_momentum), equilibrium, spin ?? "pi3_0",
-  ...Object.keys(MADE).map((name) => asGiven(made[name]))]);
+/**
+ * The scene in one line, as a person reads it.
+ * @param {Asked} asked
+ */
+export function line({ texts, equilibrium }) {
+  const { potential, orbit, inertia, gyrostatic_momentum: rotor } = texts, field = potential.trim();
+  const tensor = inertia.includes(";") ? `I = [${inertia}]` : `I = (${inertia})`;
+  const parts = [field && field !== "none" ? `U = ${field}` : orbit.trim() ? "" : "no field",
+    orbit.trim() && `circular orbit, ${orbit}`, tensor,
+    /[^0, ]/.test(rotor) ? `l = (${rotor})` : "no rotor", equilibrium];
+  return parts.filter(Boolean).join("  ·  ");
+}
 
-// A link that restores what is on the page.
-export function link(axes) {
-  const pairs = TEXTS.map((name) => [name, at(name).value]);
-  pairs.push(...Object.entries(given(state)));
-  pairs.push(["axes", axes.join()], ["spin", state.spin],
-    ...Object.entries(state.values).map(([name, text]) => ["set", `${name}=${text}`]));
+/**
+ * A link that restores what is on the page.
+ * @param {Asked} asked
+ */
+export function link(asked) {
+  const pairs = TEXTS.map((name) => [name, asked.texts[name]]);
+  pairs.push(...Object.entries(given(asked)));
+  pairs.push(["axes", asked.axes.join()], ["spin", asked.spin],
+    ...Object.entries(asked.values).map(([name, text]) => ["set", `${name}=${text}`]));
   return `#${new URLSearchParams(pairs)}`;
 }
 
-// The table of such a link, and the axes of its chart; null of an address without a scene.
-export function linked() {
-  const hash = new URLSearchParams(location.hash.slice(1));
+/**
+ * The table of such a link, and the axes of its chart; null of an address without a scene.
+ * @param {string} address what stands behind its #
+ */
+export function linked(address) {
+  const hash = new URLSearchParams(address);
   if (!hash.has("potential")) return null;
   const values = hash.getAll("set").map((text) => [text.split("=", 1)[0], text.slice(text.indexOf("=") + 1)]);
+  /** @type {Table} */
   const table = { potential: hash.get("potential"), values: Object.fromEntries(values) };
-  for (const name of ["inertia", "gyrostatic_momentum"]) if (hash.has(name)) table[name] = list(hash.get(name));
+  for (const name of ["inertia", "gyrostatic_momentum"]) if (hash.has(name)) table[name] = list(hash.get(name) ?? "");
   for (const name of ["equilibrium", "spin", "orbit", ...Object.keys(MADE)]) if (hash.get(name)) table[name] = hash.get(name);
   return { table, axes: (hash.get("axes") ?? "").split(",").filter(Boolean) };
 }

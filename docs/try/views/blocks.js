@@ -74,12 +74,29 @@ function ends(name, value) {
   return [-most, most];
 }
 
-// A row for each name: its symbol, a text that is exact, a slider. changed() after each change of values.
-export function sliders(place, names, values, changed) {
-  place.replaceChildren(...names.map(({ name, tex, meaning, positive: above }) => {
+/**
+ * Gives a number, and the ends of its slider, to each name that has none.
+ * @param {import("../app/scene.js").Asked} asked
+ * @param {{ name: string, positive: boolean }[]} names
+ */
+export function fitted({ values, ends: shown }, names) {
+  for (const { name, positive: above } of names) {
     if (above) positive.add(name);
     values[name] ??= START.get(name) ?? "1";
-    const [min, max] = ends(name, number(name, values[name]));
+    shown[name] ??= ends(name, number(name, values[name])).map(String);
+  }
+}
+
+/**
+ * A row for each name: its symbol, a text that is exact, a slider. changed() after each change of values.
+ * @param {Element} place
+ * @param {any[]} names
+ * @param {import("../app/scene.js").Asked} asked
+ * @param {() => void} changed
+ */
+export function sliders(place, names, { values, ends: shown }, changed) {
+  place.replaceChildren(...names.map(({ name, tex, meaning }) => {
+    const [min, max] = shown[name];
     const text = element("input", { id: `value-${name}`, value: values[name], size: 8, maxLength: 500,
       spellcheck: false, autocomplete: "off", autocapitalize: "none" });
     const slider = element("input", { type: "range", min, max, step: 0.01, ariaLabel: `${name}, slider` });

@@ -1,7 +1,8 @@
 // A motion near the equilibrium, in doubles: the path of a vector on a sphere, as the body sees it.
-import { Card } from "../app/card.js";
 import { Motion } from "../numerics/integrator.js";
-import { sliders } from "./blocks.js";
+import { possible } from "../app/numbers.js";
+import { names } from "../app/state.js";
+import { fitted, sliders } from "./blocks.js";
 import { compiled } from "../numerics/programs.js";
 
 const SIZE = 400, LONG = 4000, FRAMES = 240;             // points of a path; frames to the longest period
@@ -13,16 +14,20 @@ const rotated = ([x, y, z], axis, angle) => {
 const short = (x) => x.toFixed(6).replace(/^-(0\.0+)$/, "$1");
 
 export class Nearby {
-  // place: the section; ask(want, scene): of the library; changed(): called when a number is set; settled(): when
-  // something has come
-  constructor(place, ask, changed, settled) {
-    Object.assign(this, { place, changed, settled, view: [0.5, 0.4], running: true, current: true, names: [] });
+  /**
+   * @param {Element} place the section
+   * @param {import("../app/scene.js").Asked} asked
+   * @param {import("../app/answers.js").Answers} answers
+   * @param {() => void} changed called when a number is set
+   * @param {() => void} settled called when something has come
+   */
+  constructor(place, asked, answers, changed, settled) {
+    Object.assign(this, { place, asked, answers, changed, settled, view: [0.5, 0.4], running: true, current: true, names: [] });
     const find = (name) => place.querySelector(name);
     [this.canvas, this.push, this.button, this.more, this.why, this.state, this.drawn] = ["canvas", "#push", "button",
       "#more", "#no-motion", "#state", ".drawn"].map(find);
-    this.programs = new Card(({ scene }) => ask("moving", scene), (found) => this.load(found), settled);
     this.push.oninput = () => {
-      find("#turned").textContent = this.push.value;
+      asked.push = find("#turned").textContent = this.push.value;
       settled();
     };
     new IntersectionObserver((entries) => { this.seen = entries.at(-1).isIntersecting; }).observe(this.canvas);
@@ -40,33 +45,37 @@ export class Nearby {
 
   // Whether the motion is of another scene than the page's, or of other numbers.
   get waiting() {
-    return this.programs.waiting || this.reading || !this.current;
+    return this.answers.waiting("moving") || this.reading || !this.current;
   }
 
-  // What the page asks now, as it is for a chart; known: the names that have sliders beside the verdict.
-  follow(scene, known, values, number, reading) {
-    Object.assign(this, { known, values, reading: false });
-    this.programs.follow(scene && { scene });
-    if (this.programs.waiting) return this.stop();
-    const { why, error } = this.programs.answer ?? { why: "no motion: the scene has no answer" };
-    const numbers = this.names.map((name) => [name, number(name)]);
+  // Drawn from what is asked and answered; reading: whether the library is still reading the numbers.
+  follow(reading) {
+    const { asked, answers } = this, { answer, asked: program } = answers.answered.moving ?? {};
+    this.reading = false;
+    if (answers.waiting("moving")) return this.stop();
+    if (program !== this.loaded) this.load(answer, program);
+    const { why, error } = answer ?? { why: "no motion: the scene has no answer" };
+    const numbers = this.names.map((name) => [name, possible(name, asked.values[name])]);
     const unread = numbers.some(([, value]) => !Number.isFinite(value));
     this.reading = unread && reading;
     if (why ?? error ?? unread) {
       this.stop();
       return this.reading || this.refuse(why ?? error ?? "a motion needs numbers, and possible ones");
     }
-    const started = JSON.stringify([numbers, this.push.value]);
+    const started = JSON.stringify([numbers, asked.push]);
     if (started !== this.started) this.restart(Object.fromEntries(numbers));
     this.started = started;
   }
 
   // Equations, or none; the numbers that a verdict does not need have sliders of their own.
-  load(found) {
+  load(found, program) {
     this.stop();
-    const given = found?.names ?? [];
-    this.names = given.map(({ name }) => name);
-    sliders(this.more, given.filter(({ name }) => !this.known.includes(name)), this.values, this.changed);
+    this.loaded = program;
+    this.names = names(found);
+    const beside = names(this.answers.answered.analysed.answer);
+    const given = (found?.names ?? []).filter(({ name }) => !beside.includes(name));
+    fitted(this.asked, given);
+    sliders(this.more, given, this.asked, this.changed);
     if (!found?.rates) return;
     this.coordinates = found.coordinates;
     this.rates = compiled(found.rates);
@@ -95,7 +104,7 @@ export class Nearby {
     }
     this.refuse();
     for (let n = last ? 3 : 0; n <= last; n += 3) {
-      start.splice(n, 3, ...rotated(start.slice(n, n + 3), axis, Number(this.push.value)));
+      start.splice(n, 3, ...rotated(start.slice(n, n + 3), axis, Number(this.asked.push)));
     }
     const rates = this.rates, rate = (state) => rates(Object.assign(numbers, Object.fromEntries(
       this.coordinates.map((name, n) => [name, state[n]]))));

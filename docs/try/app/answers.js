@@ -1,0 +1,93 @@
+// What is answered: of each kind of question the newest answer, and the question that it answers. An answer is shown as
+// the answer only beside its own question.
+
+/**
+ * @typedef {Record<string, any>} Answer
+ * @typedef {object} Answered
+ * @property {string} asked the question, as a text
+ * @property {any} question
+ * @property {Answer} answer
+ */
+
+/** @param {any} question */
+export const key = (question) => JSON.stringify(question);
+
+export class Answers {
+  /**
+   * @param {Record<string, (question: any) => Promise<Answer | null>>} ask of each kind; null where another question
+   *   took its place
+   * @param {() => void} settled called when an answer has come
+   * @param {Record<string, (found: Answer, question: any) => any>} named of some kinds: takes note of an answer, and
+   *   returns its question by its full name
+   */
+  constructor(ask, settled, named = {}) {
+    this.ask = ask;
+    this.settled = settled;
+    this.named = named;
+    /** @type {Record<string, string | null | undefined>} */
+    this.asked = {};
+    /** @type {Record<string, Answered>} */
+    this.answered = {};
+    /** @type {Record<string, ReturnType<typeof setTimeout>>} */
+    this.later = {};
+  }
+
+  /**
+   * Whether what is shown of a kind is of another question than the page's.
+   * @param {string} kind
+   */
+  waiting(kind) {
+    return this.asked[kind] !== (this.answered[kind]?.asked ?? null);
+  }
+
+  /**
+   * The answer to the page's question; undefined if it has not come, or if there is no question.
+   * @param {string} kind
+   * @returns {Answer | undefined}
+   */
+  of(kind) {
+    return this.waiting(kind) ? undefined : this.answered[kind]?.answer;
+  }
+
+  /**
+   * The page's question of a kind: null where it has none, undefined while it is not known yet. It is asked after a
+   * pause of so many milliseconds, in which another one takes its place.
+   * @param {string} kind
+   * @param {any} question
+   */
+  follow(kind, question, pause = 0) {
+    const asked = question && key(question);
+    if (asked === this.asked[kind]) return;
+    this.asked[kind] = asked;
+    clearTimeout(this.later[kind]);
+    if (asked === null) {
+      delete this.answered[kind];
+    } else if (asked && this.waiting(kind)) {
+      if (pause) this.later[kind] = setTimeout(() => this.send(kind, asked, question), pause);
+      else this.send(kind, asked, question);
+    }
+  }
+
+  /**
+   * @param {string} kind
+   * @param {string} asked
+   * @param {any} question
+   */
+  async send(kind, asked, question) {
+    const answer = await this.ask[kind](question);
+    if (!answer || asked !== this.asked[kind] || !this.waiting(kind)) return;
+    const full = this.named[kind]?.(answer, question) ?? question;
+    this.asked[kind] = key(full);
+    this.answered[kind] = { asked: key(full), question: full, answer };
+    this.settled();
+  }
+
+  /**
+   * The same question will be asked again.
+   * @param {string} kind
+   */
+  forget(kind) {
+    delete this.asked[kind];
+    if (this.answered[kind]) this.answered[kind].asked = "";
+  }
+}
