@@ -7,7 +7,7 @@ const POINT = [100, 100];
 
 function tried(point = POINT) {
   const done = [];
-  const hands = new Hands({ point: () => point, set: (place) => done.push(["set", ...place]),
+  const hands = new Hands({ point: () => point, within: ([x, y]) => Math.max(x, y) <= 400, set: (place) => done.push(["set", ...place]),
     stretch: (from, to, factor) => done.push(["stretch", from, to, factor]) });
   const pointer = (id, place, more) => ({ id, touch: true, shift: false, place, ...more });
   return { done, hands, press: (id, place, more) => hands.pressed(pointer(id, place, more)),
@@ -44,6 +44,16 @@ test("a finger near the point drags it from where it is", () => {
   lift(1, [120, 95]);
   move(1, [300, 300]);
   assert.deepEqual(done, [["set", 110, 100]]);
+});
+
+test("what is pressed beside the chart sets nothing", () => {
+  const { done, press, move, lift } = tried();
+  for (const more of [{}, MOUSE]) {
+    press(1, [200, 420], more);
+    move(1, [200, 300], more);
+    lift(1, [200, 420], more);
+  }
+  assert.deepEqual(done, []);
 });
 
 test("no finger drags a point that is not seen", () => {

@@ -10,6 +10,7 @@ const name = (one) => ({ name: one, positive: /^(I\d|omega0)$/.test(one), dimens
 const number = (values) => (one) => values[one] ?? NaN;
 const scalesOf = (values, old = new Map()) => fitted(old, Object.keys(values).map(name), number(values));
 const ends = (scales, one) => scales.get(one).ends;
+const scale = (one, ends, whole = ends) => ({ of: name(one), ends, whole, open: false });
 const open = (scales) => new Map([...scales].map(([one, scale]) => [one, { ...scale, open: true }]));
 
 test("a positive number has a twentieth and five times of it, rounded to a digit", () => {
@@ -62,7 +63,7 @@ test("a number that is not known yet has a scale until it is", () => {
   const unknown = scalesOf({ I1: NaN, l: 1 });
   assert.ok(unknown.get("I1").open);
   const heard = scalesOf({ I1: 120, l: 1 }, unknown);
-  assert.deepEqual(heard.get("I1"), { ends: [5, 500], whole: [5, 500], open: false });
+  assert.deepEqual(heard.get("I1"), { of: name("I1"), ends: [5, 500], whole: [5, 500], open: false });
 });
 
 test("a name of JavaScript's own objects has a scale", () => {
@@ -72,11 +73,10 @@ test("a name of JavaScript's own objects has a scale", () => {
 });
 
 test("an end that is reached moves on, the other one stays", () => {
-  const scale = (pair) => ({ ends: pair, whole: pair, open: false });
-  assert.deepEqual(widened(scale([0.05, 5]), name("I1"), 5).ends, [0.05, 25]);
-  assert.deepEqual(widened(scale([0.05, 5]), name("I1"), 0.05).ends, [0.0025, 5]);
-  assert.deepEqual(widened(scale([-5, 5]), name("l"), -5).ends, [-20, 20]);
-  assert.deepEqual(widened(scale([-1, 1]), name("k3"), 1).ends, [-1, 1]);
+  assert.deepEqual(widened(scale("I1", [0.05, 5]), 5).ends, [0.05, 25]);
+  assert.deepEqual(widened(scale("I1", [0.05, 5]), 0.05).ends, [0.0025, 5]);
+  assert.deepEqual(widened(scale("l", [-5, 5]), -5).ends, [-20, 20]);
+  assert.deepEqual(widened(scale("k3", [-1, 1]), 1).ends, [-1, 1]);
 });
 
 test("slider and number agree to three digits", () => {
@@ -112,12 +112,11 @@ test("a number is written as a visitor would type it", () => {
 });
 
 test("zoom keeps the number under the pointer", () => {
-  const whole = [-5, 5];
-  let scale = { ends: whole, whole, open: false };
+  let zoomed = scale("l", [-5, 5]);
   for (const [at, factor] of [[0.3, 0.5], [0.8, 0.7], [0.1, 0.01], [0.5, 1.4], [0.9, 0.9]]) {
-    const [low, high] = scale.ends, under = low + (high - low) * at;
-    scale = stretched(scale, name("l"), at, at, factor);
-    const [first, last] = scale.ends;
+    const [low, high] = zoomed.ends, under = low + (high - low) * at;
+    zoomed = stretched(zoomed, at, at, factor);
+    const [first, last] = zoomed.ends;
     assert.ok(Math.abs((under - first) / (last - first) - at) < 2e-4);
     assert.ok(Math.abs((last - first) / (high - low) / factor - 1) < 2e-4);
     assert.ok(String(first).length < 12, String(first));
@@ -126,9 +125,9 @@ test("zoom keeps the number under the pointer", () => {
 
 test("zoom has limits, and positive names stay positive", () => {
   const zoomed = (pair, one, at, factor, times) => {
-    let scale = { ends: pair, whole: pair, open: false };
-    for (let n = 0; n < times; n++) scale = stretched(scale, name(one), at, at, factor);
-    return scale.ends;
+    let found = scale(one, pair);
+    for (let n = 0; n < times; n++) found = stretched(found, at, at, factor);
+    return found.ends;
   };
   const [low, high] = zoomed([0.05, 5], "I1", 0.5, 0.5, 99);
   assert.ok(low > 2 && low < high && high < 3 && high - low > 1e-4);
@@ -143,12 +142,9 @@ test("zoom has limits, and positive names stay positive", () => {
 });
 
 test("what is moved keeps its length", () => {
-  const scale = { ends: [1, 3], whole: [-5, 5], open: false };
-  assert.deepEqual(stretched(scale, name("l"), 0.25, 0.5, 1).ends, [0.5, 2.5]);
-  const positive = { ends: [0.05, 5], whole: [0.05, 5], open: false };
-  assert.deepEqual(stretched(positive, name("I1"), 0.1, 0.9, 1).ends, [0.05, 5]);
-  const component = { ends: [0.5, 1], whole: [-1, 1], open: false };
-  assert.deepEqual(stretched(component, name("k3"), 0.5, 0.1, 1).ends, [0.5, 1]);
+  assert.deepEqual(stretched(scale("l", [1, 3], [-5, 5]), 0.25, 0.5, 1).ends, [0.5, 2.5]);
+  assert.deepEqual(stretched(scale("I1", [0.05, 5]), 0.1, 0.9, 1).ends, [0.05, 5]);
+  assert.deepEqual(stretched(scale("k3", [0.5, 1], [-1, 1]), 0.5, 0.1, 1).ends, [0.5, 1]);
 });
 
 test("what a picture sets has as many digits as it can tell", () => {

@@ -1,7 +1,8 @@
 // The page: what is asked stands in `asked`, what is answered in `answers`; every view is drawn from the two.
-import { fitted, word } from "../views/blocks.js";
+import { word } from "../views/blocks.js";
 import { Chart } from "../views/chart.js";
 import { Nearby } from "../views/motion.js";
+import { fitted, placed } from "../views/sliders.js";
 import { Analyser } from "./analyser.js";
 import { Answers } from "./answers.js";
 import { checked } from "./arrived.js";
@@ -9,7 +10,7 @@ import { cards } from "./cards.js";
 import { copied } from "./copies.js";
 import { Form } from "./form.js";
 import { lost, notice, reload } from "./notices.js";
-import { possible } from "./numbers.js";
+import { heard, possible } from "./numbers.js";
 import { link, linked, nothing, numbered, scene, taken } from "./scene.js";
 import { KINDS, questions } from "./state.js";
 
@@ -29,7 +30,7 @@ const analyser = new Analyser(told);
 const asks = Object.fromEntries(KINDS.map((kind) => [kind, (question) => analyser.ask(kind, question)]));
 const answers = new Answers({ ...asks,
   charted: ({ scene, axes }) => analyser.ask("charted", scene, [axes]),
-  edges: ({ scene, axes, ends }) => analyser.ask("edges", scene, [axes, ends]) }, update, { analysed });
+  edges: ({ scene, axes, ends }) => analyser.ask("edges", scene, [axes, ends]) }, update, { analysed, decided });
 const form = new Form(asked, changed, (n) => restore({ table: examples[n].scene, axes: [] }));
 const chart = new Chart(at("charted"), asked, answers, set, update);
 const nearby = new Nearby(at("nearby"), asked, answers, changed, update);
@@ -44,6 +45,7 @@ const PLACES = { equilibria: "analysed", values: "analysed", error: "analysed", 
 // Every question, from what the page asks now, and every view; if something is typed, after a pause.
 function update(pause = 0) {
   const pauses = { analysed: pause, edges: SOON };
+  for (const kind of ["analysed", "moving"]) fitted(asked, answers.answered[kind]?.answer.names ?? []);
   for (const [kind, question] of Object.entries(questions(asked, answers, possible))) {
     answers.follow(kind, question, pauses[kind]);
   }
@@ -53,6 +55,8 @@ function update(pause = 0) {
     drawn[kind] = now;
     draw[kind]?.(now?.answer, now?.question);
   }
+  placed(at("values"), asked);
+  placed(at("more"), asked);
   const reading = answers.waiting("decided"), { answer, question } = answers.answered.decided ?? {};
   chart.follow(reading);
   nearby.follow(reading);
@@ -77,9 +81,13 @@ function mark() {
 // The library names the equilibrium that it has chosen, and the axes that a chart may have.
 function analysed(found) {
   if (found.equilibria) asked.equilibrium = found.chosen;
-  fitted(asked, found.names ?? []);
-  if (found.axes) chart.choose(found.axes);
+  if (found.axes) chart.choose(found.axes, found.names);
   return scene(asked);
+}
+
+// The library says the doubles of numbers that are no decimals.
+function decided(found, { values }) {
+  if (found.doubles) heard(values, found.doubles);
 }
 
 // Something is set by the visitor: what was copied is of what was there before.

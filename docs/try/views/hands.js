@@ -8,6 +8,7 @@ const PAGE = 16, PAUSE = 400;                           // pixels of a line; mil
 /** @typedef {{id: number, touch: boolean, shift: boolean, place: Place}} Pointer */
 /** @typedef {object} Deeds
  * @property {() => Place | null} point where the point is, null if it is not seen
+ * @property {(place: Place) => boolean} within whether the point can be there
  * @property {(place: Place) => void} set
  * @property {(from: Place, to: Place, factor: number) => void} stretch what is seen at one place comes to another,
  * and all becomes so many times as far apart */
@@ -41,6 +42,7 @@ export class Hands {
     this.start = place;
     if (this.down.size > 1) this.mode = this.down.size === 2 ? "pinch" : "";
     else if (shift && !touch) this.mode = "pan";
+    else if (!this.deeds.within(place) && !this.holds(place)) this.mode = "";
     else if (!touch) {
       this.mode = "drag";
       this.offset = [0, 0];

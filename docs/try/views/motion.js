@@ -2,7 +2,7 @@
 import { Motion } from "../numerics/integrator.js";
 import { possible } from "../app/numbers.js";
 import { names } from "../app/state.js";
-import { fitted, sliders } from "./blocks.js";
+import { fitted, sliders } from "./sliders.js";
 import { compiled } from "../numerics/programs.js";
 
 const SIZE = 400, LONG = 4000, FRAMES = 240;             // points of a path; frames to the longest period

@@ -1,10 +1,10 @@
 // From where to where a slider and a chart go: one scale for each name, which both use; numbers on it, zoom.
 
 /** @typedef {[number, number]} Ends  the lowest number of a scale, and the highest */
-/** @typedef {{ends: Ends, whole: Ends, open: boolean}} Scale  its ends; those before a zoom; whether a number may
- * have been typed that the ends have not been compared with yet */
-/** @typedef {{name: string, positive: boolean, dimension: number[] | null}} Name  what the library says of a name:
- * its dimension is [a, b, c] for [M L²]ᵃ [T]⁻ᵇ [L]ᶜ, null for a parameter of the visitor */
+/** @typedef {{name: string, text: string, positive: boolean, dimension: number[] | null}} Name  what the library says
+ * of a name: its dimension is [a, b, c] for [M L²]ᵃ [T]⁻ᵇ [L]ᶜ, null for a parameter of the visitor */
+/** @typedef {{of: Name, ends: Ends, whole: Ends, open: boolean}} Scale  its ends; those before a zoom; whether a number
+ * may have been typed that the ends have not been compared with yet */
 
 const SMALL = 1000;                                     // what is smaller than a thousandth of a scale is not seen on it
 const COMPONENT = /^[knr][123]$/;                       // of a unit vector
@@ -60,46 +60,47 @@ const isSeen = ([low, high], value) => low <= value && value <= high
  * @returns {Map<string, Scale>} */
 export function fitted(scales, names, number) {
   const about = typical(names, number);
-  return new Map(names.map((name) => [name.name, fittedTo(scales.get(name.name), name, number(name.name), about)]));
+  return new Map([...scales, ...names.map((name) => /** @type {[string, Scale]} */ (
+    [name.name, fittedTo(scales.get(name.name), name, number(name.name), about)]))]);
 }
 
 /** @param {Scale | undefined} old @param {Name} name @param {number} value
  * @param {(dimension: number[] | null) => number} about @returns {Scale} */
 function fittedTo(old, name, value, about) {
   const known = Number.isFinite(value);
-  if (old && (!old.open || !known)) return old;
-  if (old && isSeen(old.ends, value)) return { ...old, open: false };
-  if (old && isSeen(old.whole, value)) return { ...old, ends: old.whole, open: false };
+  if (old && (!old.open || !known)) return { ...old, of: name };
+  if (old && isSeen(old.ends, value)) return { ...old, of: name, open: false };
+  if (old && isSeen(old.whole, value)) return { ...old, of: name, ends: old.whole, open: false };
   const ends = fitting(name, value, about(name.dimension));
-  return { ends, whole: ends, open: !known };
+  return { of: name, ends, whole: ends, open: !known };
 }
 
 /** A scale around a number at one of its very ends, with as much beyond it as a new one would have.
- * @param {Scale} scale @param {Name} name @param {number} value @returns {Scale} */
-export function widened({ ends: [low, high] }, name, value) {
-  const [lower, higher] = fitting(name, value, high), ends = /** @type {Ends} */ (
-    [Math.min(low, lower), Math.max(high, higher)]);
-  return { ends, whole: ends, open: false };
+ * @param {Scale} scale @param {number} value @returns {Scale} */
+export function widened({ of, ends: [low, high] }, value) {
+  const [lower, higher] = fitting(of, value, high);
+  /** @type {Ends} */
+  const ends = [Math.min(low, lower), Math.max(high, higher)];
+  return { of, ends, whole: ends, open: false };
 }
 
 /** A scale whose number at one share of it comes to another share, while all of it becomes so many times as long:
  * zoom, where both shares are one, and motion, where the factor is 1. Ends have five digits of their distance; those
  * of a positive name stay positive, those of a component of a unit vector between -1 and 1.
- * @param {Scale} scale @param {Name} name @param {number} from @param {number} to @param {number} factor
- * @returns {Scale} */
-export function stretched(scale, name, from, to, factor) {
-  const { ends: [low, high], whole } = scale, all = whole[1] - whole[0];
+ * @param {Scale} scale @param {number} from @param {number} to @param {number} factor @returns {Scale} */
+export function stretched(scale, from, to, factor) {
+  const { of, ends: [low, high], whole } = scale, all = whole[1] - whole[0];
   const least = Math.max(1e-4 * Math.max(Math.abs(low), Math.abs(high)), 1e-6 * all);
   const span = Math.min(Math.max((high - low) * factor, Math.min(least, high - low)), 100 * all);
   let first = low + (high - low) * from - span * to, last = first + span;
-  if (COMPONENT.test(name.name) && whole[0] === -1) {
+  if (COMPONENT.test(of.name) && whole[0] === -1) {
     first = Math.max(-1, Math.min(first, 1 - span));
     last = Math.min(1, first + span);
   }
   const unit = 10 ** (Math.floor(Math.log10(last - first)) - 4);
   first = clean(Math.round(first / unit) * unit);
   last = clean(Math.round(last / unit) * unit);
-  if (!isPositive(name) || first > 0) return { ...scale, ends: [first, last] };
+  if (!isPositive(of) || first > 0) return { ...scale, ends: [first, last] };
   return { ...scale, ends: [low, factor === 1 ? high : last] };
 }
 
