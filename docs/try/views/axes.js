@@ -7,11 +7,16 @@ import { nice } from "./scales.js";
 
 const RAISED = "⁰¹²³⁴⁵⁶⁷⁸⁹";
 
-/** Ticks 1, 2 or 5 times a power of ten apart: at most most + 1 of them, at least two if most is 5 or more. What
- * would be written with many zeros has a power of ten that all ticks of the axis share.
- * @param {Ends} ends @param {number} most @returns {Ticks} */
+/**
+ * Ticks 1, 2 or 5 times a power of ten apart: at most most + 1 of them, at least two if most is 5 or more.
+ * What would be written with many zeros has a power of ten that all ticks of the axis share.
+ * @param {Ends} ends
+ * @param {number} most
+ * @returns {Ticks}
+ */
 export function ticked([low, high], most) {
-  const step = nice((high - low) / most), far = Math.floor(Math.log10(Math.max(Math.abs(low), Math.abs(high))));
+  const step = nice((high - low) / most);
+  const far = Math.floor(Math.log10(Math.max(Math.abs(low), Math.abs(high))));
   const power = far < -2 || far > 3 ? far : 0;
   const decimals = Math.max(0, power - Math.floor(Math.log10(step) + 1e-9));
   const ticks = [];
@@ -22,9 +27,13 @@ export function ticked([low, high], most) {
   return { ticks, step, power };
 }
 
-/** The most ticks of which none overlaps the next: each has a number of pixels for every character, and a gap.
- * @param {Ends} ends @param {number} length in pixels @param {(text: string) => number} room pixels that a text takes
- * @returns {Ticks} */
+/**
+ * The most ticks of which none overlaps the next: each has a number of pixels for every character, and a gap.
+ * @param {Ends} ends
+ * @param {number} length in pixels
+ * @param {(text: string) => number} room pixels that a text takes
+ * @returns {Ticks}
+ */
 export function fitting(ends, length, room) {
   for (let most = 10; most > 3; most--) {
     const found = ticked(ends, most), apart = found.step / (ends[1] - ends[0]) * length;
@@ -33,7 +42,11 @@ export function fitting(ends, length, room) {
   return ticked(ends, 3);
 }
 
-/** What an axis is of: a name, and the power of ten of its ticks. @param {string} name @param {number} power */
+/**
+ * What an axis is of: a name, and the power of ten of its ticks.
+ * @param {string} name
+ * @param {number} power
+ */
 export function titled(name, power) {
   if (!power) return name;
   const raised = String(Math.abs(power)).replace(/\d/g, (digit) => RAISED[Number(digit)]);

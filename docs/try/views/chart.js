@@ -1,4 +1,4 @@
-// A chart of two names: in each pixel what doubles prove of the criteria, over it zeros of the margins, exact.
+// A chart of two names: in each pixel what doubles prove of the criteria, over it zeros of margins, exact.
 import { notice, reload } from "../app/notices.js";
 import { possible } from "../app/numbers.js";
 import { element } from "./blocks.js";
@@ -12,11 +12,7 @@ import { rounded, stretched, written } from "./scales.js";
 /** @typedef {import("./plot.js").Plot} Plot */
 /** @typedef {[number, number]} Point */
 
-const STEPS = 100, ZOOM = 1.25;                         // keys from end to end; what the keys + and - do
-/** @type {Record<string, Point>} */
-const KEYS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
-/** @type {Record<string, number>} */
-const ZOOMS = { "+": 1 / ZOOM, "=": 1 / ZOOM, "-": ZOOM, "_": ZOOM };
+const STEPS = 100;                                      // of an arrow key, from end to end
 // the swatches of the key, in the order of their codes in numerics/regions.js
 const COLOURS = ["unknown", "stable", "unstable", "open", "nowhere"];
 
@@ -46,6 +42,7 @@ export class Chart {
     this.why = find("#no-chart");
     this.drawn = find(".drawn");
     this.whole = find("#whole");
+    this.ends = find("#ends");
     this.regions = new Regions(settled, (why) => {
       this.broken = "no chart, see the top of this page";
       notice("chart", `The chart failed (${why}).`, ...reload);
@@ -53,11 +50,11 @@ export class Chart {
     });
     this.selects.forEach((select, n) => { select.onchange = () => this.turned(n); });
     this.whole.onclick = () => this.rescaled((scale) => ({ ...scale, ends: scale.whole }));
-    this.canvas.onkeydown = (/** @type {KeyboardEvent} */ event) => this.pressed(event);
     handled(this.canvas, {
       point: () => this.point(),
       within: (at) => shares(this.size, at).every((share) => share >= 0 && share <= 1),
       set: (at) => this.to(shares(this.size, at)),
+      step: (at, step) => this.to(shares(this.size, at).map((share, n) => share + step[n] / STEPS)),
       stretch: (from, to, factor) => this.stretch(shares(this.size, from), shares(this.size, to), factor) });
     this.inks();
     matchMedia("(prefers-color-scheme: dark)").onchange = () => {
@@ -78,8 +75,12 @@ export class Chart {
     return this.canvas.clientWidth;
   }
 
-  /** Another equilibrium: of its names two that differ, the old ones or those of a link if they are among them.
-   * @param {string[]} axes @param {import("./scales.js").Name[]} names */
+  /**
+   * Another equilibrium: of its names two that differ, the old ones or those of a link if they are among
+   * them.
+   * @param {string[]} axes
+   * @param {import("./scales.js").Name[]} names
+   */
   choose(axes, names) {
     let [x, y] = this.selects.map((select, n) => this.wanted[n] ?? select.value)
       .map((name) => axes.includes(name) ? name : undefined);
@@ -104,7 +105,10 @@ export class Chart {
     this.settled();
   }
 
-  /** Drawn from what is asked and answered. @param {boolean} reading whether the library still reads numbers */
+  /**
+   * Drawn from what is asked and answered.
+   * @param {boolean} reading whether the library still reads numbers
+   */
   follow(reading) {
     const { asked: { axes }, answers, regions } = this, { answer, asked } = answers.answered.charted ?? {};
     if (answers.waiting("charted")) return;
@@ -119,7 +123,8 @@ export class Chart {
     const refused = this.refused(answer, unread && !reading), ends = this.scales().map((scale) => scale.ends);
     this.why.textContent = refused;
     this.drawn.hidden = Boolean(refused);
-    this.whole.hidden = this.drawn.hidden || this.scales().every((scale) => String(scale.ends) === String(scale.whole));
+    const zoomed = this.scales().some((scale) => String(scale.ends) !== String(scale.whole));
+    this.whole.hidden = Boolean(refused) || !zoomed;
     regions.want(refused ? null : unread ? undefined : { ends, numbers: Object.fromEntries(needed) });
     this.draw();
   }
@@ -134,7 +139,12 @@ export class Chart {
     return this.asked.axes.flatMap((name) => this.asked.scales.get(name) ?? []);
   }
 
-  /** Why there is no picture; "" if there is one. @param {any} answer @param {boolean} unread @returns {string} */
+  /**
+   * Why there is no picture; "" if there is one.
+   * @param {any} answer
+   * @param {boolean} unread
+   * @returns {string}
+   */
   refused(answer, unread) {
     if (!answer) return "no chart: the scene has no answer";
     const why = this.broken || (answer.why ?? answer.error ?? "");
@@ -143,8 +153,10 @@ export class Chart {
     return this.regions.colours.length ? "" : "no chart without its colours";
   }
 
-  /** Takes the colours of the page: red, green, blue and 255 of each swatch, none if they are not all different;
-   * those of what is drawn over the picture and beside it. */
+  /**
+   * Takes the colours of the page: red, green, blue and 255 of each swatch, none if they are not all
+   * different; those of what is drawn over the picture and beside it.
+   */
   inks() {
     /** @param {string} place @returns {any} */
     const style = (place) => getComputedStyle(/** @type {Element} */ (this.place.querySelector(place)));
@@ -181,8 +193,8 @@ export class Chart {
   /** The same in words. @param {Plot} plot */
   say({ axes: [{ ends: [left, right] }, { ends: [low, high] }], here }) {
     const [across, upwards] = this.asked.axes, error = this.answers.of("edges")?.error;
-    /** @type {Element} */ (this.place.querySelector("#ends")).textContent = `${across} from ${left} to ${right} `
-      + `across, ${upwards} from ${low} to ${high} upwards${error ? `; no boundary is drawn: ${error}` : ""}`;
+    this.ends.textContent = `${across} from ${left} to ${right} across, `
+      + `${upwards} from ${low} to ${high} upwards` + (error ? `; no boundary is drawn: ${error}` : "");
     this.canvas.ariaLabel = `Chart of the verdict, ${across} across and ${upwards} upwards. The ring is at `
       + `${across} = ${here[0]}, ${upwards} = ${here[1]}. Arrow keys move it, + and - zoom.`;
   }
@@ -205,18 +217,10 @@ export class Chart {
     return shares(this.size, place).every((share) => share >= 0 && share <= 1) ? place : null;
   }
 
-  /** @param {KeyboardEvent} event */
-  pressed(event) {
-    const step = KEYS[event.key], zoom = ZOOMS[event.key], at = this.point();
-    if (!step && !zoom || event.ctrlKey || event.metaKey || event.altKey) return;
-    event.preventDefault();
-    const here = at ? shares(this.size, at) : [0.5, 0.5];
-    if (zoom) this.stretch(here, here, zoom);
-    else this.to(here.map((share, n) => share + step[n] / STEPS));
-  }
-
-  /** The point at these shares of the two axes; its numbers have so many digits as the picture can tell.
-   * @param {number[]} places */
+  /**
+   * The point at these shares of the two axes; its numbers have so many digits as the picture can tell.
+   * @param {number[]} places
+   */
   to(places) {
     const { ends } = this.regions;
     if (!ends || this.answers.waiting("charted")) return;             // no axes of another scene
@@ -226,8 +230,12 @@ export class Chart {
     });
   }
 
-  /** Other ends: what is at some shares of the two axes comes to others, and all is longer by a factor.
-   * @param {number[]} from @param {number[]} to @param {number} factor */
+  /**
+   * Other ends: what is at some shares of the two axes comes to others, and all is longer by a factor.
+   * @param {number[]} from
+   * @param {number[]} to
+   * @param {number} factor
+   */
   stretch(from, to, factor) {
     this.rescaled((scale, n) => stretched(scale, from[n], to[n], factor));
   }

@@ -1,23 +1,33 @@
-// What fingers, a mouse and its wheel do to a picture: they set its point, drag it, zoom and move what is seen.
+// What fingers, a mouse and keys do to a picture: set its point, drag it, zoom, move what is seen.
 
 const REACH = 22, STILL = 10;                           // pixels: of a finger around the point; of a tap
-const WHEEL = 0.002, PINCH = 0.01;                      // of a pixel of the wheel, and of a trackpad's two fingers
-const PAGE = 16, PAUSE = 400;                           // pixels of a line; milliseconds between two turns of a wheel
+const WHEEL = 0.002, PINCH = 0.01;                      // of a pixel of a wheel, of a trackpad's fingers
+const LINE = 16, PAUSE = 400;                           // pixels; milliseconds between two turns of a wheel
+const ZOOM = 1.25;                                      // of a key
+/** @type {Record<string, Place>} */
+const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
+/** @type {Record<string, number>} */
+const ZOOMS = { "+": 1 / ZOOM, "=": 1 / ZOOM, "-": ZOOM, "_": ZOOM };
 
 /** @typedef {[number, number]} Place  in pixels of the picture */
 /** @typedef {{id: number, touch: boolean, shift: boolean, place: Place}} Pointer */
-/** @typedef {object} Deeds
+/**
+ * @typedef {object} Deeds
  * @property {() => Place | null} point where the point is, null if it is not seen
  * @property {(place: Place) => boolean} within whether the point can be there
  * @property {(place: Place) => void} set
- * @property {(from: Place, to: Place, factor: number) => void} stretch what is seen at one place comes to another,
- * and all becomes so many times as far apart */
+ * @property {(place: Place, step: Place) => void} step sets the point a step beside a place, upwards positive
+ * @property {(from: Place, to: Place, factor: number) => void} stretch what is seen at one place comes to
+ *   another, and all becomes so many times as far apart
+ */
 
 /** @param {Place} a @param {Place} b */
 const apart = ([x, y], [u, v]) => Math.hypot(x - u, y - v);
 
-/** What pointers that go down, move and up mean. A finger beside the point is left to the page, which scrolls by it,
- * unless it goes up where it was. */
+/**
+ * What pointers that go down, move and up mean. A finger beside the point is left to the page, which scrolls
+ * by it, unless it goes up where it was.
+ */
 export class Hands {
   /** @param {Deeds} deeds */
   constructor(deeds) {
@@ -38,6 +48,7 @@ export class Hands {
 
   /** @param {Pointer} pointer */
   pressed({ id, touch, shift, place }) {
+    if (!touch) this.down.clear();                      // a mouse has one pointer, whatever was lost before
     this.down.set(id, place);
     this.start = place;
     if (this.down.size > 1) this.mode = this.down.size === 2 ? "pinch" : "";
@@ -70,7 +81,8 @@ export class Hands {
   pinched(still, before, now) {
     /** @param {Place} a @returns {Place} */
     const middle = (a) => [(a[0] + still[0]) / 2, (a[1] + still[1]) / 2];
-    this.deeds.stretch(middle(before), middle(now), Math.max(apart(still, before), 1) / Math.max(apart(still, now), 1));
+    const factor = Math.max(apart(still, before), 1) / Math.max(apart(still, now), 1);
+    this.deeds.stretch(middle(before), middle(now), factor);
   }
 
   /** @param {Pointer} pointer */
@@ -94,8 +106,8 @@ export function handled(canvas, deeds) {
     return [clientX - left, clientY - top];
   };
   /** @param {PointerEvent} event @returns {Pointer} */
-  const pointer = (event) => ({ id: event.pointerId, touch: event.pointerType === "touch", shift: event.shiftKey,
-    place: at(event) });
+  const pointer = (event) => ({ id: event.pointerId, touch: event.pointerType === "touch",
+    shift: event.shiftKey, place: at(event) });
 
   canvas.onpointerdown = (event) => {
     if (event.button === 0) hands.pressed(pointer(event));
@@ -109,14 +121,25 @@ export function handled(canvas, deeds) {
     const [finger] = event.targetTouches;
     if (event.touches.length > 1 || hands.holds(at(finger))) event.preventDefault();
   }, { passive: false });
+  canvas.onkeydown = (event) => {
+    const { key } = event, middle = canvas.clientWidth / 2;
+    if (!(key in ARROWS || key in ZOOMS) || event.ctrlKey || event.metaKey || event.altKey) return;
+    event.preventDefault();
+    const place = deeds.point() ?? [middle, middle];
+    if (key in ARROWS) deeds.step(place, ARROWS[key]);
+    else deeds.stretch(place, place, ZOOMS[key]);
+  };
   wheeled(canvas, (event) => {
-    const lines = event.deltaMode === WheelEvent.DOM_DELTA_LINE ? PAGE : 1;
+    const lines = event.deltaMode === WheelEvent.DOM_DELTA_LINE ? LINE : 1;
     deeds.stretch(at(event), at(event), Math.exp(event.deltaY * lines * (event.ctrlKey ? PINCH : WHEEL)));
   });
 }
 
-/** A wheel that has begun to turn over the picture turns for it; one that scrolls the page goes on to do so.
- * @param {HTMLElement} canvas @param {(event: WheelEvent) => void} turned */
+/**
+ * A wheel that has begun to turn over the picture turns for it; one that scrolls the page goes on to do so.
+ * @param {HTMLElement} canvas
+ * @param {(event: WheelEvent) => void} turned
+ */
 function wheeled(canvas, turned) {
   let last = -PAUSE, ours = false;
   addEventListener("wheel", ({ target, timeStamp }) => {

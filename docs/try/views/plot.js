@@ -12,14 +12,20 @@ import { fitting, titled } from "./axes.js";
  */
 /** @typedef {{ink: string, quiet: string, paper: string}} Colours */
 
-const LEFT = 46, TOP = 22, MARGINS = 60;                // both ways, so that the chart is a square in a square
-const DIGIT = 7, GAP = 12, LINE = 30;                   // pixels: of a character, between two texts, from line to line
+const LEFT = 46, TOP = 22, MARGINS = 60;                // both ways: the chart is a square in a square
+const DIGIT = 7, GAP = 12, LINE = 30;                   // pixels: of a character, between texts, lines
 const NUMBERS = "12px system-ui, sans-serif", NAMES = 'italic 15px "Times New Roman", Times, serif';
 
 /** Where the regions are in a square picture. @param {number} size in pixels, as the rest */
 export const frame = (size) => ({ left: LEFT, top: TOP, side: Math.max(size - MARGINS, 1) });
 
-/** Where a point is in the picture. @param {number} size @param {Ends[]} ends @param {Point} point @returns {Point} */
+/**
+ * Where a point is in the picture.
+ * @param {number} size
+ * @param {Ends[]} ends
+ * @param {Point} point
+ * @returns {Point}
+ */
 export function placed(size, [[first, last], [low, high]], [x, y]) {
   const { left, top, side } = frame(size);
   return [left + (x - first) / (last - first) * side, top + (high - y) / (high - low) * side];
@@ -31,11 +37,16 @@ export function shares(size, [x, y]) {
   return [(x - left) / side, 1 - (y - top) / side];
 }
 
-/** Draws regions, boundary, axes and point. @param {any} context @param {number} size @param {Plot} plot
- * @param {Colours} colours */
+/**
+ * Draws regions, boundary, axes and point.
+ * @param {any} context
+ * @param {number} size
+ * @param {Plot} plot
+ * @param {Colours} colours
+ */
 export function paint(context, size, { image, axes, points, here }, colours) {
   const { left, top, side } = frame(size), ends = axes.map((axis) => axis.ends);
-  context.imageSmoothingEnabled = false;                // a pixel says what is proved there: no mixture of two
+  context.imageSmoothingEnabled = false;                // no pixel is a mixture of two proofs
   context.drawImage(image, left, top, side, side);
   context.fillStyle = colours.ink;
   for (const point of points) {
@@ -44,8 +55,9 @@ export function paint(context, size, { image, axes, points, here }, colours) {
   }
   context.lineWidth = 1;
   context.strokeStyle = colours.quiet;
-  lines(context, [[left - 0.5, top - 0.5], [left + side + 0.5, top - 0.5], [left + side + 0.5, top + side + 0.5],
-    [left - 0.5, top + side + 0.5], [left - 0.5, top - 0.5]]);
+  const [first, last] = [-0.5, side + 0.5];
+  const corners = [[first, first], [last, first], [last, last], [first, last]];
+  lines(context, [...corners, corners[0]].map(([x, y]) => [left + x, top + y]));
   across(context, size, axes[0], colours);
   upwards(context, size, axes[1], colours);
   if (here.every(Number.isFinite)) mark(context, size, placed(size, ends, here), colours);
@@ -59,8 +71,15 @@ function lines(context, [first, ...rest]) {
   context.stroke();
 }
 
-/** A text, at the left of its place, in its middle or at its right. @param {any} context @param {string} font
- * @param {string} align @param {string} text @param {number} x @param {number} y */
+/**
+ * A text, at the left of its place, in its middle or at its right.
+ * @param {any} context
+ * @param {string} font
+ * @param {string} align
+ * @param {string} text
+ * @param {number} x
+ * @param {number} y
+ */
 function say(context, font, align, text, x, y) {
   context.font = font;
   context.textAlign = align;
@@ -68,7 +87,12 @@ function say(context, font, align, text, x, y) {
   context.fillText(text, x, y);
 }
 
-/** @param {any} context @param {number} size @param {{text: string, ends: Ends}} axis @param {Colours} colours */
+/**
+ * @param {any} context
+ * @param {number} size
+ * @param {{text: string, ends: Ends}} axis
+ * @param {Colours} colours
+ */
 function across(context, size, { text: name, ends }, { ink, quiet }) {
   const { left, top, side } = frame(size), bottom = top + side, [low, high] = ends;
   const { ticks, power } = fitting(ends, side, (text) => DIGIT * text.length + GAP);
@@ -82,7 +106,12 @@ function across(context, size, { text: name, ends }, { ink, quiet }) {
   say(context, NAMES, "right", titled(name, power), left + side, bottom + 34);
 }
 
-/** @param {any} context @param {number} size @param {{text: string, ends: Ends}} axis @param {Colours} colours */
+/**
+ * @param {any} context
+ * @param {number} size
+ * @param {{text: string, ends: Ends}} axis
+ * @param {Colours} colours
+ */
 function upwards(context, size, { text: name, ends }, { ink, quiet }) {
   const { left, top, side } = frame(size), [low, high] = ends;
   const { ticks, power } = fitting(ends, side, () => LINE);
@@ -96,8 +125,13 @@ function upwards(context, size, { text: name, ends }, { ink, quiet }) {
   say(context, NAMES, "left", titled(name, power), left, top - 7);
 }
 
-/** The point: a ring, which can be dragged; of one that is not on the chart an arrow at its edge.
- * @param {any} context @param {number} size @param {Point} place @param {Colours} colours */
+/**
+ * The point: a ring, which can be dragged; of one that is not on the chart an arrow at its edge.
+ * @param {any} context
+ * @param {number} size
+ * @param {Point} place
+ * @param {Colours} colours
+ */
 function mark(context, size, [x, y], { ink, paper }) {
   const { left, top, side } = frame(size);
   const inside = [Math.min(Math.max(x, left), left + side), Math.min(Math.max(y, top), top + side)];

@@ -1,4 +1,4 @@
-// The regions of a chart as a picture: a thread of their own computes what each pixel is, its colour is given here.
+// The regions of a chart as a picture: a thread computes what each pixel is, its colour is given here.
 import { element } from "./blocks.js";
 
 /** @typedef {import("./scales.js").Ends} Ends */
@@ -34,15 +34,23 @@ export class Regions {
     return this.wanted !== null && this.wanted !== this.shown;
   }
 
-  /** A program, or none. @param {any} program @param {string[]} axes @param {string | undefined} key of the chart */
+  /**
+   * A program, or none.
+   * @param {any} program
+   * @param {string[]} axes
+   * @param {string | undefined} key of the chart
+   */
   load(program, axes, key) {
     this.shown = this.ends = null;
     this.loaded = key;
     if (program) this.worker.postMessage({ chart: program, axes, width: SIZE });
   }
 
-  /** What the picture is wanted of, null for none, undefined if that is not known yet. Pictures of numbers before are
-   * shown on the way to it. @param {{ends: Ends[], numbers: Record<string, number>} | null | undefined} question */
+  /**
+   * What the picture is wanted of, null for none, undefined if that is not known yet. Pictures of numbers
+   * before are shown on the way to it.
+   * @param {{ends: Ends[], numbers: Record<string, number>} | null | undefined} question
+   */
   want(question) {
     const asked = question && JSON.stringify([this.loaded, question]);
     if (asked === this.wanted) return;
@@ -60,10 +68,14 @@ export class Regions {
     this.settled();
   }
 
-  /** The picture in the colours of this moment, into a canvas of its size. @param {HTMLCanvasElement} canvas */
+  /**
+   * The picture in the colours of this moment, into a canvas of its size.
+   * @param {HTMLCanvasElement} canvas
+   */
   paint(canvas) {
     if (!this.codes || !this.colours.length) return;
-    const inks = new Uint32Array(new Uint8Array(this.colours.flat()).buffer), pixels = new Uint32Array(SIZE * SIZE);
+    const inks = new Uint32Array(new Uint8Array(this.colours.flat()).buffer);
+    const pixels = new Uint32Array(SIZE * SIZE);
     for (let n = 0; n < pixels.length; n++) pixels[n] = inks[this.codes[n]];
     canvas.getContext("2d")?.putImageData(new ImageData(new Uint8ClampedArray(pixels.buffer), SIZE), 0, 0);
   }

@@ -8,8 +8,11 @@ import { fitted as scaled, numberAt, stepOf, steps, widened, written } from "./s
 
 const START = new Map([["I2", "1.2"], ["I3", "1.6"], ["l", "0"], ["k3", "0.5"]]);
 
-/** Gives a number to each name that has none, and a scale to each that has none or whose number has left it.
- * @param {Asked} asked @param {Name[]} names */
+/**
+ * Gives a number to each name that has none, and a scale to each that has none or whose number has left it.
+ * @param {Asked} asked
+ * @param {Name[]} names
+ */
 export function fitted(asked, names) {
   for (const { name, positive: above } of names) {
     if (above) positive.add(name);
@@ -18,8 +21,13 @@ export function fitted(asked, names) {
   asked.scales = scaled(asked.scales, names, (name) => possible(name, asked.values[name]));
 }
 
-/** A row for each name: its symbol, a text that is exact, a slider. @param {Element} place @param {Name[]} names
- * @param {Asked} asked @param {() => void} changed called after each change of a number */
+/**
+ * A row for each name: its symbol, a text that is exact, a slider.
+ * @param {Element} place
+ * @param {Name[]} names
+ * @param {Asked} asked
+ * @param {() => void} changed called after each change of a number
+ */
 export function sliders(place, names, asked, changed) {
   place.replaceChildren(...names.map((name) => row(name, asked, changed)));
   placed(place, asked);
@@ -54,7 +62,8 @@ export function placed(place, { scales }) {
   for (const row of /** @type {NodeListOf<HTMLElement>} */ (place.querySelectorAll(".value"))) {
     const text = /** @type {HTMLInputElement} */ (row.querySelector("[id]")), name = text.id.slice(6);
     const slider = /** @type {HTMLInputElement} */ (row.querySelector("[type=range]"));
-    const { ends } = /** @type {import("./scales.js").Scale} */ (scales.get(name)), value = number(name, text.value);
+    const { ends } = /** @type {import("./scales.js").Scale} */ (scales.get(name));
+    const value = number(name, text.value);
     [row.dataset.low, row.dataset.high] = ends.map(String);
     slider.max = String(steps(ends));
     if (!Number.isFinite(value)) continue;
