@@ -1,7 +1,7 @@
 // The page: what is asked stands in `asked`, what is answered in `answers`; every view is drawn from the two.
 import { word } from "../views/blocks.js";
+import { Nearby } from "../views/body.js";
 import { Chart } from "../views/chart.js";
-import { Nearby } from "../views/motion.js";
 import { fitted, placed } from "../views/sliders.js";
 import { Analyser } from "./analyser.js";
 import { Answers } from "./answers.js";

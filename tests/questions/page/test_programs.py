@@ -118,3 +118,56 @@ def test_a_motion_has_the_equations_of_the_scene():
     results = run(found["rates"]["steps"], {**values, **dict(zip(found["coordinates"], state))})
     assert [results[i] for i in found["rates"]["results"]] == expected
     assert {name["name"] for name in found["names"]} == {"I1", "I3", "l", "k3", "omega"}
+
+
+# numbers that doubles have
+TENSOR = {"potential": "m0*k3",
+          "inertia": [["I11", "1/2", "1/4"], ["1/2", "I22", "-1/4"], ["1/4", "-1/4", "I33"]],
+          "gyrostatic_momentum": ["l1", "1/8", "l3"], "point": ["0", "0", "0", "0", "0", "1"],
+          "values": {"I11": "3", "I22": "4", "I33": "5", "l1": "1/7", "l3": "-2", "m0": "1"}}
+
+
+@pytest.mark.parametrize("scene", [*(EXAMPLES[n] for n in (0, 2, 5, 8, 9)), TENSOR], ids=str)
+def test_the_body_turns_as_its_momentum_says(scene):
+    """I (ω + ω₀ n) = π at a state of no equilibrium: ω is relative to the orbital frame, if there is one."""
+    found = asked("moving", scene)
+    numbers = {name: Fraction(text) for name, text in scene["values"].items()}
+    rows, rotor = body_of(scene, numbers)
+    assert results_of(found["inertia"], numbers) == [
+        rows[i][j] for i, j in ((0, 0), (1, 1), (2, 2), (1, 2), (2, 0), (0, 1))]
+    assert results_of(found["rotor"], numbers) == rotor
+    state = [Fraction(n, 7) for n in (1, -2, 3, 2, 3, 6, 6, 2, -3)][:len(found["coordinates"])]
+    turning = results_of(found["velocity"], {**numbers, **dict(zip(found["coordinates"], state))})
+    rate = numbers["omega0"] if "orbit" in scene else 0
+    absolute = [w + rate * n for w, n in zip(turning, state[3:6] or [0, 0, 0])]
+    assert [sum(a * w for a, w in zip(row, absolute)) for row in rows] == state[:3]
+
+
+def body_of(scene, numbers):
+    """The tensor and the rotor of a scene whose entries are names or numbers."""
+    def value(text):
+        return numbers[text] if text in numbers else Fraction(text)
+
+    rows = [[value(x) for x in row] if isinstance(row, list) else
+            [value(row) if i == j else 0 for j in range(3)] for i, row in enumerate(scene["inertia"])]
+    return rows, [value(x) for x in scene["gyrostatic_momentum"]]
+
+
+def results_of(program, numbers):
+    """The results of a program that has some."""
+    found = run(program["steps"], numbers)
+    return [found[i] for i in program["results"]]
+
+
+def test_a_body_at_rest_is_drawn_where_its_equilibrium_is():
+    """Where U is not given, or a number larger than doubles is in it, the state and the body are there."""
+    unspecified = asked("moving", EXAMPLES[2])
+    steps = [step if step[0] != "power" else ["number", 0.75**0.5] for step in unspecified["state"]["steps"]]
+    numbers = {name: Fraction(text) for name, text in EXAMPLES[2]["values"].items()}
+    assert run(steps, numbers)[unspecified["state"]["results"][5]] == Fraction(1, 2)
+    assert "rates" not in unspecified
+    large = asked("moving", {**EXAMPLES[0], "potential": "1e400*k3"})
+    assert "larger than any double" in large["why"] and {"inertia", "rotor", "state"} <= large.keys()
+    assert asked("moving", {**EXAMPLES[0], "inertia": ["1e400", "1e400", "1"]})["names"] == []
+    every = asked("moving", EXAMPLES[10])
+    assert "choose one" in every["why"] and every.keys() == {"inertia", "rotor", "why", "names"}

@@ -12,12 +12,15 @@ from sympy import Expr, NumberSymbol, Pow, Rational, Symbol, exp, log
 from ...algebra.text.numbers import exact_number, shown
 from ...charts.programs.straightline import Axes, program_of
 from ...errors import GyrostatError, ScopeError
+from ...mechanics.equilibrium.equilibrium import Equilibrium
 from ...mechanics.equilibrium.unit_vectors import in_any_direction
+from ...mechanics.scenes.system import System
 from ...notation import symbol
 from ...stability.criteria.conditions import Criterion
 from ...stability.report.report import Report
 
 Data = dict[str, Any]
+ONE = "a picture is of one equilibrium: choose one"
 
 
 class Writer:
@@ -115,26 +118,41 @@ def charted(report: Report, axes: Sequence[str]) -> Data:
     return {"steps": _steps(writer), "names": _names(writer), **found}
 
 
-def moving(report: Report) -> Data:
-    """The equations of motion and the state of the equilibrium.
+def moving(scene: System, eq: Equilibrium | None) -> Data:
+    """The equations of motion, the state of the equilibrium, and what a picture of the body needs.
+
+    Parameters
+    ----------
+    scene : System
+    eq : Equilibrium or None
+        None if no equilibrium is chosen: then the body alone is given
 
     Returns
     -------
     dict
-        coordinates, rates and state, each with steps, names and results, and the names of numbers; or
-        error, why the page follows no motion
+        inertia (I11, I22, I33, I23, I31, I12) and rotor; coordinates, state and velocity, ω in the frame in
+        which the directions are constant; rates, or why the page follows no motion. Each is a program with
+        steps, names and results; names has the numbers of all
     """
-    eq = report.equilibrium
-    coordinates = [x.name for x in eq.system.space.coordinates]
+    found: Data = {}
     try:
-        if eq.system.unspecified:
-            raise ScopeError("a motion needs a field that is given: type U as an expression, such as m0*k3")
-        rates = steps_to(eq.system.vector_field())
+        tensor = scene.body.tensor
+        found["inertia"] = steps_to(tensor[i, j] for i, j in ((0, 0), (1, 1), (2, 2), (1, 2), (2, 0), (0, 1)))
+        found["rotor"] = steps_to(scene.body.gyrostatic_momentum)
+        if eq is None:
+            raise ScopeError(ONE)
         state = steps_to(map(eq.insert, eq.point))       # a name of it may be that of a coordinate
+        found |= {"coordinates": [x.name for x in scene.space.coordinates], "state": state,
+                  "velocity": steps_to(scene.energy_gradient.flat()[:3])}
+        if scene.unspecified:
+            raise ScopeError("a motion needs a field that is given: type U as an expression, such as m0*k3")
+        found["rates"] = steps_to(scene.vector_field())
     except GyrostatError as error:
-        return {"why": str(error)}
-    names = dict.fromkeys([*state["names"], *(n for n in rates["names"] if n not in coordinates)])
-    return {"coordinates": coordinates, "rates": rates, "state": state, "names": list(names)}
+        found["why"] = str(error)
+    coordinates = found.get("coordinates", ())
+    return {**found, "names": list(dict.fromkeys(
+        name for key in ("state", "rates", "inertia", "rotor") for name in found.get(key, {}).get("names", ())
+        if key == "state" or name not in coordinates))}
 
 
 def steps_to(expressions: Iterable[Expr]) -> Data:

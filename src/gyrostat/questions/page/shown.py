@@ -19,10 +19,9 @@ from ..answers.between_criteria import between, between_blocks
 from .chart_edges import edges
 from .chosen import EVERY, POINT, Chosen, chosen
 from .copies import latex, program, scene_file
-from .programs import Data, charted, doubles, moving
+from .programs import ONE, Data, charted, doubles, moving
 from .typeset import named, typeset
 
-ONE = "a picture is of one equilibrium: choose one"
 _LEVELS = {"M": "on a sphere of the angular momentum", "omega": "of a rate about the vertical",
            "k3": "of a tilt", "pi3_0 C1": "on a level of the momenta", "C1": "on a level of the momentum",
            "": "at rest in the frame of the orbit"}
@@ -149,9 +148,10 @@ def _names(axes: Any) -> tuple[str, ...]:
 
 
 def _moving(asked: Chosen, _: Mapping[str, str]) -> Data:
-    """What the page computes of a motion, the numbers that it needs as they are written."""
-    found, names = {"why": ONE} if asked.every else moving(asked.report), Names()
-    return {**found, "names": [named(asked.scene, name, names) for name in found.get("names", ())]}
+    """What the page computes of a motion and of the body, the numbers that they need as they are written."""
+    eq, names = None if asked.every else asked.equilibrium, Names()
+    found = moving(eq.system if eq else asked.scene, eq)
+    return {**found, "names": [named(asked.scene, name, names) for name in found["names"]]}
 
 
 def _listed(asked: Chosen, values: Mapping[str, str]) -> list[tuple[str, list[Block]]]:
