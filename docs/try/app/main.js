@@ -1,7 +1,8 @@
 // The page: what is asked stands in `asked`, what is answered in `answers`; every view is drawn from the two.
-import { fitted, word } from "../views/blocks.js";
+import { word } from "../views/blocks.js";
 import { Nearby } from "../views/body.js";
 import { Chart } from "../views/chart.js";
+import { fitted, placed } from "../views/sliders.js";
 import { Analyser } from "./analyser.js";
 import { Answers } from "./answers.js";
 import { checked } from "./arrived.js";
@@ -11,7 +12,7 @@ import { Form } from "./form.js";
 import { Entries } from "./history.js";
 import { Modes } from "./modes.js";
 import { lost, notice, reload } from "./notices.js";
-import { possible } from "./numbers.js";
+import { heard, possible } from "./numbers.js";
 import { link, linked, nothing, numbered, scene, taken } from "./scene.js";
 import { Sharing } from "./sharing.js";
 import { KINDS, questions } from "./state.js";
@@ -27,12 +28,12 @@ window.onerror = (message) => notice("page", `This page failed (${message}).`, .
 window.onunhandledrejection = ({ reason }) => window.onerror(reason?.message ?? reason);
 
 const asked = nothing(), drawn = {};
-let examples = [];
+let examples = [], zoomed = {};                         // zoomed: the ends of axes that a link says
 const analyser = new Analyser(told);
 const asks = Object.fromEntries(KINDS.map((kind) => [kind, (question) => analyser.ask(kind, question)]));
 const answers = new Answers({ ...asks,
   charted: ({ scene, axes }) => analyser.ask("charted", scene, [axes]),
-  edges: ({ scene, axes, ends }) => analyser.ask("edges", scene, [axes, ends]) }, update, { analysed });
+  edges: ({ scene, axes, ends }) => analyser.ask("edges", scene, [axes, ends]) }, update, { analysed, decided });
 const form = new Form(asked, changed, picked);
 const chart = new Chart(at("charted"), asked, answers, set, update);
 const nearby = new Nearby(at("nearby"), asked, answers, changed, update);
@@ -51,6 +52,7 @@ const PLACES = { equilibria: "analysed", values: "analysed", error: "analysed", 
 // Every question, from what the page asks now, and every view; if something is typed, after a pause.
 function update(pause = 0) {
   const pauses = { analysed: pause, edges: SOON };
+  for (const kind of ["analysed", "moving"]) fitted(asked, answers.answered[kind]?.answer.names ?? []);
   for (const [kind, question] of Object.entries(questions(asked, answers, possible))) {
     answers.follow(kind, question, pauses[kind]);
   }
@@ -60,6 +62,8 @@ function update(pause = 0) {
     drawn[kind] = now;
     draw[kind]?.(now?.answer, now?.question);
   }
+  placed(at("values"), asked);
+  placed(at("more"), asked);
   const reading = answers.waiting("decided"), { answer, question } = answers.answered.decided ?? {};
   chart.follow(reading);
   nearby.follow(reading);
@@ -89,9 +93,19 @@ function mark() {
 // The library names the equilibrium that it has chosen, and the axes that a chart may have.
 function analysed(found) {
   if (found.equilibria) asked.equilibrium = found.chosen;
+  if (found.axes) chart.choose(found.axes, found.names);
   fitted(asked, found.names ?? []);
-  if (found.axes) chart.choose(found.axes);
+  for (const [name, ends] of Object.entries(zoomed)) {
+    const scale = asked.scales.get(name);
+    if (scale) asked.scales.set(name, { ...scale, ends, open: false });
+  }
+  zoomed = {};
   return scene(asked);
+}
+
+// The library says the doubles of numbers that are no decimals.
+function decided(found, { values }) {
+  if (found.doubles) heard(values, found.doubles);
 }
 
 // Something is set by the visitor, or typed in a field: what was copied is of what was there before.
@@ -113,7 +127,7 @@ function picked(n) {
 function restore({ table, axes = [], ends = {} }) {
   const example = numbered(table, examples);
   Object.assign(asked, taken(table));
-  Object.assign(asked.ends, ends);
+  zoomed = ends;
   chart.wanted = axes;
   form.fill(example, examples[example]?.source ?? "");
   answers.forget("analysed");

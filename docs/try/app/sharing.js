@@ -112,7 +112,7 @@ export class Sharing {
     const { views: { body, chart }, answers: { answered: { decided } } } = this;
     /** @param {Element} one */
     const text = (one) => one.textContent?.trim() ?? "";
-    const [badge] = all("#verdict .badge"), charted = /** @type {any} */ (chart).printed?.() ?? null;
+    const [badge] = all("#verdict .badge"), charted = chart.printed();
     const page = getComputedStyle(document.body);
     /** @type {import("../views/picture.js").View[]} */
     const views = charted ? [charted] : [];

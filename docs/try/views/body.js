@@ -3,7 +3,7 @@ import { principal, turned, unit, UNTURNED } from "../numerics/attitude.js";
 import { attitudeAt, Flight, followed, momentum, programs, released } from "../numerics/flight.js";
 import { possible } from "../app/numbers.js";
 import { names } from "../app/state.js";
-import { fitted, sliders } from "./blocks.js";
+import { sliders } from "./sliders.js";
 import { paint } from "./body-picture.js";
 import { DARK, LIGHT } from "./colours.js";
 import { solid } from "./solids.js";
@@ -111,7 +111,6 @@ export class Nearby {
     this.names = names(found);
     const beside = names(this.answers.answered.analysed?.answer);
     const given = (found?.names ?? []).filter(({ name }) => !beside.includes(name));
-    fitted(this.asked, given);
     sliders(this.more, given, this.asked, this.changed);
     this.given = { coordinates: found?.coordinates ?? [], ...programs(found) };
     this.verdict = "";
