@@ -120,6 +120,12 @@ export function link(asked) {
   return `#${new URLSearchParams(pairs)}`;
 }
 
+/** From one end of an axis to the other. @param {string} text */
+function distance(text) {
+  const [from, to] = text.split(",").map(Number);
+  return to - from;
+}
+
 /**
  * The table of such a link, the axes of its chart, their ends, and how the page is shown; null of an address without a scene.
  * @param {string} address what stands behind its #
@@ -134,6 +140,6 @@ export function linked(address) {
   for (const name of ["inertia", "gyrostatic_momentum"]) if (hash.has(name)) table[name] = list(hash.get(name) ?? "");
   for (const name of ["equilibrium", "spin", "orbit", ...Object.keys(MADE)]) if (hash.get(name)) table[name] = hash.get(name);
   return { table, axes: (hash.get("axes") ?? "").split(",").filter(Boolean), show: hash.get("show") ?? "",
-    ends: Object.fromEntries(ends.map(([name, text]) => [name, text.split(",").map(Number)])
-      .filter(([, [from, to]]) => to - from > 0 && to - from < Infinity)) };
+    ends: Object.fromEntries(ends.filter(([, text]) => distance(text) > 0 && distance(text) < Infinity)
+      .map(([name, text]) => [name, text.split(",").map(Number)])) };
 }
