@@ -38,7 +38,7 @@ class Satellite:
         parts += [form(a, m, b) for (a, b), m in (forms or {}).items()]
         rotors = () if wheel is None else (gs.Rotor(wheel[0], axial=wheel[1], momentum=wheel[2]),)
         body = gs.gyrostat_with_rotors(tensor, rotors, lumped=True) if rotors else gs.Gyrostat(tensor, rotor)
-        self.scene = gs.assemble(body, gs.circular_orbit(1, potential=" + ".join(parts) or 0, rotors=rotors))
+        self.scene = gs.assemble(body, gs.circular_orbit(1, potential=" + ".join(parts) or 0))
         locked, self.vector = np.array(tensor, float), np.zeros(9)
         own = locked - float(wheel[1]) * np.outer(*[np.array(wheel[0], float)] * 2) if wheel else locked
         self.matrix = np.zeros((9, 9))

@@ -23,6 +23,7 @@ from linked import linked
 HERE = Path(__file__).parent
 MODULES = ("session.py", "examples.json")
 SCRIPTS = ("app", "views", "numerics")
+TOOLS = ("package.json", "jsconfig.json", "jsconfig.workers.json", "eslint.config.js")      # of .ci/page
 INTERPRETER = ("pyodide.mjs", "pyodide.asm.mjs", "pyodide.asm.wasm")
 
 
@@ -109,7 +110,7 @@ def built(target: Path, stage: Path) -> None:
     for folder in SCRIPTS:
         shutil.copytree(HERE / folder, target / folder)
     for path in HERE.iterdir():
-        if path.suffix in (".html", ".css", ".js", ".json"):
+        if path.suffix in (".html", ".css", ".js", ".json") and path.name not in TOOLS:
             shutil.copy(path, target)
     listed = {path.relative_to(target).as_posix(): _listed(path)
               for path in sorted(target.rglob("*")) if path.is_file()}

@@ -55,7 +55,7 @@ def test_a_free_wheel():
     wheel = gs.Rotor((1, 0, 0), axial=0.3, momentum=0.2)
     body = gs.gyrostat_with_rotors(tuple(moments), [wheel], lumped=True)
     left, wheels = np.array([float(x) for x in body.moments]), np.array([0.3, 0, 0])
-    scene = gs.assemble(body, gs.circular_orbit(float(rate), rotors=[wheel]))
+    scene = gs.assemble(body, gs.circular_orbit(float(rate)))
     motion, times = gs.trajectories.motion(scene, (*(left * omega), *n, *r)), np.linspace(0, 10 / rate, 21)
     w, normal, vertical = followed(left, (0.2, 0, 0), rate, omega, turn, times, wheels)
     found = motion(times)

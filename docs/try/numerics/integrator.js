@@ -2,39 +2,66 @@
 // Solving Ordinary Differential Equations I, II.9), the step chosen so that the last two differ by less than asked.
 const ROWS = 8;
 
-// Gragg's rule: n steps over H.
-function midpoint(rate, state, H, n) {
+/** @typedef {(state: number[]) => number[]} Rate a new array of each state */
+
+/**
+ * Gragg's rule: n steps over H.
+ * @param {Rate} rate
+ * @param {number[]} state
+ * @param {number[]} rates at the state
+ * @param {number} H
+ * @param {number} n
+ */
+function midpoint(rate, state, rates, H, n) {
   const h = H / n;
-  let before = state, here = rate(state).map((r, i) => state[i] + h * r);
+  let before = state, here = state.map((x, i) => x + h * rates[i]);
   for (let m = 1; m < n; m++) {
-    const rates = rate(here);
-    [before, here] = [here, before.map((x, i) => x + 2 * h * rates[i])];
+    const next = rate(here);
+    for (let i = 0; i < next.length; i++) next[i] = before[i] + 2 * h * next[i];
+    [before, here] = [here, next];
   }
   return here;
 }
 
-// The state after H, and how far the last two extrapolations are apart.
+/**
+ * The state after H, and how far the last two extrapolations are apart.
+ * @param {Rate} rate
+ * @param {number[]} state
+ * @param {number} H
+ * @returns {[number[], number]}
+ */
 function extrapolated(rate, state, H) {
+  const rates = rate(state);
+  /** @type {number[][]} */
   let row = [];
   for (let k = 0; k < ROWS; k++) {
-    const next = [midpoint(rate, state, H, 2 * (k + 1))];
+    const next = [midpoint(rate, state, rates, H, 2 * (k + 1))];
     for (let j = 1; j <= k; j++) {
       const ratio = ((k + 1) / (k + 1 - j)) ** 2 - 1;
       next.push(next[j - 1].map((x, i) => x + (x - row[j - 1][i]) / ratio));
     }
-    if (k === ROWS - 1) {
-      return [next[k], Math.max(...next[k].map((x, i) => Math.abs(x - next[k - 1][i])))];
-    }
     row = next;
   }
+  const [last, best] = row.slice(-2);
+  return [best, Math.max(...best.map((x, i) => Math.abs(x - last[i])))];
 }
 
-// A motion: at(t) for growing t. rate: of a state; tolerance: of a step.
+// A motion: at(t) for growing t.
 export class Motion {
+  /**
+   * @param {Rate} rate
+   * @param {number[]} state
+   * @param {number} tolerance of a step
+   */
   constructor(rate, state, tolerance = 1e-13) {
-    Object.assign(this, { rate, state, tolerance, time: 0, step: 0.1 });
+    this.rate = rate;
+    this.state = state;
+    this.tolerance = tolerance;
+    this.time = 0;
+    this.step = 0.1;
   }
 
+  /** @param {number} time */
   at(time) {
     while (this.time < time) {
       const last = this.time + this.step >= time, H = last ? time - this.time : this.step;

@@ -4,7 +4,7 @@ from functools import lru_cache
 from typing import Any
 
 import numpy as np
-from sympy import Expr, ImmutableMatrix, Rational, expand, hessian
+from sympy import Expr, ImmutableMatrix, Rational, expand
 
 from ..algebra.reals.exact import evaluate, proved_sign, sign_of_constant
 from ..algebra.text.numbers import exact_number, shown
@@ -106,7 +106,7 @@ def draw_smelt_plane(rotor: Any = 0, bodies: Mapping[str, Sequence[Any]] | None 
         here = _at_numbers(satellite, values or {})
         own, ratio = pointed(here, pointing)
         marked = {SATELLITE: own, **marked}
-        body = Gyrostat((here.body.tensor + free_moments(here)).tolist(), here.body.gyrostatic_momentum)
+        body = Gyrostat(here.body.gravitating.tolist(), here.body.gyrostatic_momentum)
         shown_too = of_scene(assemble(body, circular_orbit(orbital_rate(here))), {})[1]
     marks = {name: ratios(moments, name) for name, moments in marked.items()}
     middles = (2 * np.arange(POINTS) + 1) / POINTS - 1         # of cells between −1 and 1
@@ -188,7 +188,8 @@ def pointed(here: System, pointing: Sequence[int]) -> tuple[list[Expr], Expr]:
     """
     roll, pitch, yaw = several(pointing, "pointing", 3)
     axes_along(roll, pitch, yaw)
-    rate, extra, other = orbital_rate(here), free_moments(here), acting_beside(here)
+    rate, other = orbital_rate(here), acting_beside(here)
+    extra = here.body.gravitating - here.body.tensor
     r = ImmutableMatrix(R)
     if expand(other - Rational(3, 2) * rate**2 * r.dot(extra * r)) != 0:
         raise ScopeError(f"U = {brief(other)} acts beside the gravity gradient, and Smelt's plane is that of "
@@ -206,12 +207,6 @@ def pointed(here: System, pointing: Sequence[int]) -> tuple[list[Expr], Expr]:
                          "attitudes")
     along = way * body.gyrostatic_momentum[n] - rate * free[n, n]
     return [body.moments[i] for i in order], evaluate(along / (body.moments[n] * rate), {})
-
-
-def free_moments(here: System) -> ImmutableMatrix:
-    """Return what the tensor of the kinetic energy is without: J a aᵀ of each wheel that runs freely."""
-    second = hessian(acting_beside(here), R) / (3 * orbital_rate(here)**2)
-    return ImmutableMatrix(second.applyfunc(lambda x: evaluate(x, {})))
 
 
 def _order(tensor: ImmutableMatrix, moments: Sequence[Expr], axes: Sequence[int]) -> list[int]:

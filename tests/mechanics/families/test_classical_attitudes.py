@@ -114,7 +114,7 @@ def test_a_wheel_that_runs_free(full):
     J, h = NAMES["J"], NAMES["h"]
     wheel = gs.Rotor((0, 1, 0), J, momentum=h)
     body = gs.gyrostat_with_rotors(I, [wheel], lumped=True)
-    scene = gs.assemble(body, gs.circular_orbit(rotors=[wheel]))
+    scene = gs.assemble(body, gs.circular_orbit())
     assert compared(full, scene, (I[0], I[1] - J, I[2]), I, h, "", 3)
     _, K, _ = small_motion((I[0], I[1] - J, I[2]), I, (0, h, 0), W, of_directions(""))
     _, driven, _ = small_motion(I, I, (0, h - W * J, 0), W, of_directions(""))

@@ -1,14 +1,18 @@
 """Satellites held by a rotor: any tensor with t·Ir = 0; free rotors; K and g as formulas have them."""
+import pickle
+from dataclasses import replace
 from fractions import Fraction as F
 from random import Random
 
 import pytest
 from satellites import exact
 from slow import sampled
-from sympy import Matrix, Rational
+from sympy import Matrix, N, Rational
 
 import gyrostat as gs
+from gyrostat.mechanics.families.circular_orbit import by_gradient_alone
 from gyrostat.mechanics.families.scene_tables import SceneTable
+from gyrostat.mechanics.scenes.principal_axes import principal_axes
 from gyrostat.stability.criteria.orientation_form import orientation_form
 
 
@@ -94,8 +98,8 @@ def test_freeing_a_rotor_adds_to_the_stiffness(full):
         a, moment, speed = Matrix(exact(axis)), *exact([J, w * axis[1]])
         left = Matrix(servo.gyrostatic_momentum) + (moment * speed - exact([h])[0]) * a
         free = gs.gyrostat_with_rotors(tensor, [wheel], lumped=True)
-        free = gs.Gyrostat(free.tensor, Matrix(free.gyrostatic_momentum) + left)
-        scene = gs.assemble(free, gs.circular_orbit(w, rotors=[wheel]))
+        free = replace(free, gyrostatic_momentum=Matrix(free.gyrostatic_momentum) + left)
+        scene = gs.assemble(free, gs.circular_orbit(w))
         K, _, inertia = orientation_form(gs.earth_pointing(scene))
         held, *_ = orientation_form(gs.earth_pointing(gs.assemble(servo, orbit)))
         across = Matrix(exact([axis[2], F(0), -axis[0]]))  # n × a
@@ -108,7 +112,7 @@ def test_a_free_pitch_wheel():
     wheel = gs.Rotor((0, 1, 0), axial="1/10", momentum="1/2")
     whole = gs.gyrostat_with_rotors((60, 70, 35), [wheel], lumped=True)
     assert whole.moments == (60, Rational(699, 10), 35)
-    pointing = gs.earth_pointing(gs.assemble(whole, gs.circular_orbit(1, rotors=[wheel])))
+    pointing = gs.earth_pointing(gs.assemble(whole, gs.circular_orbit(1)))
     driven = gs.Gyrostat((60, 70, 35), (0, Rational(1, 2) - Rational(1, 10), 0))
     K, *_ = orientation_form(gs.earth_pointing(gs.assemble(driven, gs.circular_orbit(1))))
     assert orientation_form(pointing).stiffness == K
@@ -117,11 +121,39 @@ def test_a_free_pitch_wheel():
 
 
 def test_driven_rotors_are_in_the_tensor():
-    """They leave the field as it is; what is no rotor is refused."""
+    """A body with driven rotors alone is that of its numbers; gravity acts on its tensor."""
     driven = gs.Rotor((0, 1, 0), axial=1, rate=5)
-    assert gs.circular_orbit(1, rotors=[driven]) == gs.circular_orbit(1)
-    with pytest.raises(gs.errors.ArgumentError, match="each entry is a Rotor"):
-        gs.circular_orbit(1, rotors=[3])
+    body = gs.gyrostat_with_rotors((60, 70, 35), [driven], lumped=True)
+    assert body == gs.Gyrostat((60, 70, 35), (0, 5, 0)) and body.gravitating == body.tensor
+
+
+def test_gravity_acts_on_free_rotors_in_any_axes():
+    """The energy of the gravity gradient is that of the locked tensor, in its principal axes too."""
+    rng = Random("free rotors")
+    for _ in range(5):
+        tensor = tensor_of(rng)
+        axis, J = Matrix([rng.randint(1, 4) for _ in range(3)]), F(1, 50)
+        body = gs.gyrostat_with_rotors(tensor, [gs.Rotor(axis, axial=J, momentum=1)], lumped=True)
+        r = Matrix(gs.notation.components("r"))
+        for this, R in ((body, Matrix.eye(3)), principal_axes(body)):
+            scene = gs.assemble(this, gs.circular_orbit(1))
+            locked = R * Matrix([exact(row) for row in tensor]) * R.T
+            at = dict(zip(r, exact([F(1, 3), F(2, 3), F(-2, 3)])))
+            energy = scene.potential.expression.xreplace(dict.fromkeys(gs.notation.components("n"), 0))
+            there = r.xreplace(at)
+            assert N(energy.xreplace(at) - (Rational(3, 2) * there.T * locked * there)[0], 30, chop=True) == 0
+            assert not by_gradient_alone(scene) and this.gravitating != this.tensor
+
+
+def test_a_body_with_free_rotors_keeps_them():
+    """In a pickle, at numbers, and where two bodies are compared."""
+    J = gs.symbol("J")
+    free, fixed = (gs.gyrostat_with_rotors((60, 70, 35), [gs.Rotor((0, 1, 0), axial=5, **how)], lumped=True)
+                   for how in ({"momentum": 1}, {"rate": "1/5"}))
+    assert pickle.loads(pickle.dumps(free)).gravitating == free.gravitating == fixed.tensor
+    assert free != gs.Gyrostat(free.inertia, free.gyrostatic_momentum)
+    named = gs.gyrostat_with_rotors((60, 70, 35), [gs.Rotor((0, 1, 0), axial=J, momentum=1)], lumped=True)
+    assert named.changed(lambda x: x.xreplace({J: 5})) == free
 
 
 def test_a_scene_file_with_a_free_wheel():

@@ -1,6 +1,5 @@
 """A satellite in a circular orbit: the field of the gravity gradient in the frame that turns with it."""
-from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from numbers import Integral
 from typing import Any, ClassVar
 
@@ -17,7 +16,6 @@ from ..scenes.coupled import CoupledPotential, coupled_potential, unit_and_ortho
 from ..scenes.kind import Kind
 from ..scenes.lie_poisson import hat
 from ..scenes.potential import DIRECTIONS
-from ..scenes.rotors import Rotor
 from ..scenes.system import System
 from .orbit_rates import rate_of_orbit
 
@@ -39,11 +37,15 @@ class CircularOrbit(CoupledPotential):
     beside: Expr = S.Zero
     kind: ClassVar[Kind] = Kind.ORBIT
 
+    def with_free_rotors(self) -> "CircularOrbit":
+        """Return the same field, which is not that of the tensor alone."""
+        return replace(self, alone=False)
+
 
 @checked
 def circular_orbit(rate: Any = None, *, period: Any = None, height: Any = None, body: str | None = None,
                    mu: Any = None, radius: Any = None,
-                   potential: Any = 0, rotors: Sequence[Rotor] = ()) -> CoupledPotential:
+                   potential: Any = 0) -> CoupledPotential:
     """Return the field of a satellite in a circular orbit, in the frame that turns with the orbit.
 
     n is the normal of the orbit, r the local vertical, outwards, t = n × r along the velocity, all in body
@@ -68,15 +70,12 @@ def circular_orbit(rate: Any = None, *, period: Any = None, height: Any = None, 
         another energy beside the gravity gradient, or a text of it, in n1, n2, n3, r1, r2, r3, and t1, t2,
         t3 for n × r; or a function of the first six: −B n·μ of a magnet μ in a field B along the normal, f
         ρ·t of a constant drag f against the velocity at the point ρ of the body [M L²/T²]
-    rotors : sequence of Rotor
-        those of gyrostat_with_rotors: the tensor of the body is without the axial moments of the free ones,
-        on which gravity acts
 
     Returns
     -------
     CoupledPotential
-        U in n, r, the entries I11, I12, … of the tensor of the body and its rotor l1, l2, l3, inserted by
-        assemble
+        U in n, r, the entries I11, I12, … of the tensor on which gravity acts and the rotor l1, l2, l3,
+        inserted by assemble
 
     Raises
     ------
@@ -108,10 +107,6 @@ def circular_orbit(rate: Any = None, *, period: Any = None, height: Any = None, 
     U = Rational(3, 2) * omega0**2 * gravity - omega0 * Add(*(a * b for a, b in zip(n, l)))
     first, second, third = (-omega0 * x for x in n)
     given, other = _beside(potential)
-    for rotor in rotors:
-        if rotor.momentum is not None:
-            along = Add(*(x * y for x, y in zip(rotor.axis, r)))
-            other += Rational(3, 2) * omega0**2 * rotor.axial * along**2
     return CircularOrbit((*n, *r), U + other, False, (first, second, third),
                          unit_and_orthogonal((NORMAL, VERTICAL)), other == 0, given)
 

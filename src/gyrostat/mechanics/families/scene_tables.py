@@ -130,7 +130,7 @@ class SceneTable:
                                      "acts: leave it out, or write an expression in n1, n2, n3, r1, r2, r3")
             other = 0 if bare == NONE else parse(text)
             make = loaded("mechanics.families.circular_orbit:circular_orbit")
-            return make(**self.table["orbit"], potential=other, rotors=self.rotors)
+            return make(**self.table["orbit"], potential=other)
         if bare == NONE:
             return None
         if bare in (AXIAL, GENERAL):

@@ -1,21 +1,21 @@
 """The gyrostat: inertia, gyrostatic momentum, kinetic energy."""
 from collections.abc import Callable, Sequence
-from dataclasses import InitVar, dataclass
+from dataclasses import InitVar, dataclass, replace
 from typing import Any
 
 from sympy import Add, Expr, ImmutableMatrix, Rational, Symbol
 
 from ..._cached import cached_property
 from ..._display import Shown
-from ...algebra.reals.exact import is_identically_zero, plain, rationalised, sign_of_constant
+from ...algebra.reals.exact import plain, rationalised, sign_of_constant
 from ...algebra.rings.matrices import adjugate, diagonal, immutable, leading_minors
 from ...algebra.text.numbers import exact_expression, shown
 from ...algebra.text.quantities import not_mixed
-from ...algebra.text.tensors import rows_of
 from ...arguments import checked, several
-from ...errors import ArgumentError, BodyError, ScopeError, article, brief
+from ...errors import BodyError, ScopeError, brief
 from ...notation import Stored, Use, components, symbol
 from ...registry import check_names
+from .inertia_entries import as_first_written, entries_of, tensor_of
 
 PRODUCTS = ("negative", "positive")                    # of inertia: −∫ xy dm, ∫ xy dm
 
@@ -65,7 +65,8 @@ class Gyrostat(Shown, Stored):
         if not isinstance(products, str) or products not in PRODUCTS:
             raise BodyError(f"products = {brief(products)}: give negative if the products of inertia are the "
                             "entries of the tensor, −∫ xy dm, or positive if they are the integrals ∫ xy dm")
-        given = {field: _entries(getattr(self, field), field) for field in ("gyrostatic_momentum", "inertia")}
+        given = {field: entries_of(getattr(self, field), field)
+                 for field in ("gyrostatic_momentum", "inertia")}
         not_mixed((field, x) for field, entries in given.items() for x in entries)
         rotor, inertia = ([rationalised(exact_expression(x, field)) for x in entries]
                           for field, entries in given.items())
@@ -73,7 +74,7 @@ class Gyrostat(Shown, Stored):
             inertia = [x if n % 4 == 0 else -x for n, x in enumerate(inertia)]
         object.__setattr__(self, "gyrostatic_momentum", tuple(map(plain, rotor)))
         object.__setattr__(self, "inertia", tensor_of(inertia) if len(inertia) == 9
-                           else _as_first_written(inertia))
+                           else as_first_written(inertia))
         check_names(self.entries, "the inertia", BodyError, Use.ANGLE)
         check_names(self.gyrostatic_momentum, "the rotor", BodyError, Use.ROTOR, Use.ANGLE)
         for value in self.positive:
@@ -107,6 +108,11 @@ class Gyrostat(Shown, Stored):
     def tensor(self) -> ImmutableMatrix:
         """The inertia tensor, shape (3, 3)."""
         return self.inertia if isinstance(self.inertia, ImmutableMatrix) else diagonal(self.inertia)
+
+    @property
+    def gravitating(self) -> ImmutableMatrix:
+        """The tensor on which gravity acts, shape (3, 3): of free rotors it has the axial moments too."""
+        return self.tensor
 
     @cached_property
     def inverse(self) -> ImmutableMatrix:
@@ -149,7 +155,12 @@ class Gyrostat(Shown, Stored):
         """
         inertia = (self.inertia.applyfunc(change) if isinstance(self.inertia, ImmutableMatrix)
                    else [change(x) for x in self.inertia])
-        return Gyrostat(inertia, [change(x) for x in self.gyrostatic_momentum])
+        return replace(self, inertia=inertia,
+                       gyrostatic_momentum=[change(x) for x in self.gyrostatic_momentum])
+
+    def turned(self, R: ImmutableMatrix, moments: Sequence[Expr], rotor: Sequence[Expr]) -> "Gyrostat":
+        """Return the body in axes x' = R x, where its moments and its rotor are known."""
+        return replace(self, inertia=moments, gyrostatic_momentum=rotor)
 
     @checked
     def kinetic_energy(self, momentum: Sequence[Expr]) -> Expr:
@@ -192,59 +203,3 @@ def symmetric_gyrostat() -> Gyrostat:
     (I1, I1, I3)
     """
     return Gyrostat((symbol("I1"), symbol("I1"), symbol("I3")), (0, 0, symbol("l")))
-
-
-def _as_first_written(values: Sequence[Expr]) -> tuple[Expr, ...]:
-    """Return constants that are equal in one spelling, so that a body of revolution is recognised."""
-    known: list[Expr] = []
-    for value in values:
-        same = (x for x in known if not (apart := x - value).free_symbols and sign_of_constant(apart) == 0)
-        known.append(next(same, value))
-    return tuple(known)
-
-
-def tensor_of(entries: Sequence[Expr]) -> ImmutableMatrix:
-    """Return a symmetric tensor from nine exact entries, row by row.
-
-    Raises
-    ------
-    BodyError
-        it is not symmetric
-    """
-    tensor = ImmutableMatrix(3, 3, list(entries))
-    for i, j in ((0, 1), (0, 2), (1, 2)):
-        apart = tensor[i, j] - tensor[j, i]
-        if is_identically_zero(apart) is not True:
-            raise BodyError(f"inertia is a matrix with the entries {shown(tensor[i, j])} and "
-                            f"{shown(tensor[j, i])} in the places {i + 1}{j + 1} and {j + 1}{i + 1}: an "
-                            "inertia tensor is symmetric; give the products of inertia twice, with one sign")
-    return ImmutableMatrix(3, 3, lambda i, j: tensor[min(i, j), max(i, j)])
-
-
-def _entries(given: Any, field: str) -> tuple[Any, ...]:
-    """Return three entries of a sequence, an array or a diagonal matrix, or all nine of another matrix."""
-    given = rows_of(given) if isinstance(given, str) else given
-    if hasattr(given, "__len__") and len(given) > 9:
-        raise BodyError(f"{field} has {len(given)} entries: give three, one for each principal axis")
-    rows = given.tolist() if hasattr(given, "tolist") else given
-    if isinstance(rows, bytes) or not isinstance(rows, Sequence):
-        raise ArgumentError(f"{field} = {brief(given)} is {article(type(given))}, not a sequence: give "
-                            "three numbers, "
-                            f"{field}=({'2, 2, 1' if field == 'inertia' else '0, 0, 1'})")
-    entries = tuple(rows)
-    if len(entries) == 3 and all(isinstance(row, Sequence) and not isinstance(row, str) and len(row) == 3
-                                 for row in entries):
-        if field != "inertia":
-            raise BodyError(f"{field} is a matrix: give three numbers, one for each axis")
-        if any(exact_expression(row[j], field) != 0 for i, row in enumerate(entries)
-               for j in range(3) if i != j):
-            return tuple(x for row in entries for x in row)
-        entries = tuple(row[i] for i, row in enumerate(entries))
-    # a matrix of one row, or of one column
-    if len(entries) == 1 and isinstance(entries[0], Sequence) and not isinstance(entries[0], str):
-        entries = tuple(entries[0])
-    if hasattr(given, "tolist") and all(isinstance(row, Sequence) and len(row) == 1 for row in entries):
-        entries = tuple(row[0] for row in entries)
-    if len(entries) != 3:
-        raise BodyError(f"{field} = {brief(given)} is not three numbers: give one for each principal axis")
-    return entries

@@ -35,8 +35,10 @@ def potential_of_body(potential: Potential, body: Gyrostat) -> Potential:
                          f"{body.moments}: "
                          "give its own U(k1, k2, k3) with general_potential")
     if potential.coupled:                                  # I11, I12, … too, in any axes
-        tensor = {symbol(f"I{i}{j}"): body.tensor[i - 1, j - 1] for i in (1, 2, 3) for j in (1, 2, 3)}
-        return potential.changed(lambda e: in_names_of(body, e, tensor))
+        gravitating = body.gravitating
+        tensor = {symbol(f"I{i}{j}"): gravitating[i - 1, j - 1] for i in (1, 2, 3) for j in (1, 2, 3)}
+        potential = potential.changed(lambda e: in_names_of(body, e, tensor))
+        return potential if gravitating == body.tensor else potential.with_free_rotors()
     if in_names_of(body, potential.expression) == potential.expression:
         return potential
     return potential.changed(lambda e: in_names_of(body, e))

@@ -162,6 +162,10 @@ class Potential(Shown, Stored):
         return self.given and (bool(self.expression.atoms(Function)) or any(
             not p.exp.is_Integer for p in self.expression.atoms(Pow)))
 
+    def with_free_rotors(self) -> "Potential":
+        """Return the same potential of a body with free rotors, whose gravity is not that of its tensor."""
+        return self
+
     def gradient(self) -> tuple[Expr, ...]:
         """Return ∇U in the symbols of the jet, shape (3,)."""
         return self.following(symbol("U"))

@@ -72,7 +72,8 @@ def principal_axes(body: Gyrostat) -> tuple[Gyrostat, ImmutableMatrix]:
     R = Matrix(rows)
     if proved_sign(R.det(method="berkowitz")) == -1:
         R[0, :] = -R[0, :]
-    return Gyrostat(moments, [_short(x) for x in R * Matrix(body.gyrostatic_momentum)]), ImmutableMatrix(R)
+    turn = ImmutableMatrix(R)
+    return body.turned(turn, moments, [_short(x) for x in turn * Matrix(body.gyrostatic_momentum)]), turn
 
 
 def _axes(about: ImmutableMatrix, level: Expr, moment: Expr) -> Iterator[list[Expr]]:

@@ -1,5 +1,5 @@
 """Rotors of a gyrostat, from their data sheets: wheels along any axes, driven or free."""
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -96,8 +96,8 @@ def gyrostat_with_rotors(inertia: Sequence[Any] | str, rotors: Sequence[Rotor], 
 
     l is the sum of the momenta of the rotors. The tensor is that of the locked body, and without axial · a aᵀ
     of each free rotor, which does not turn with the body about its axis. That is the tensor of the kinetic
-    energy: a potential of gravity, if there is one, keeps the full one, circular_orbit(rotors=...) that of
-    the gravity gradient.
+    energy: the gravity gradient in an orbit acts on the full one. A potential that is given by its formula is
+    taken as it is given, and the moments that it names are those of the kinetic energy.
 
     Parameters
     ----------
@@ -146,9 +146,37 @@ def gyrostat_with_rotors(inertia: Sequence[Any] | str, rotors: Sequence[Rotor], 
     if not all(m.free_symbols or proved_sign(m) == 1 for m in leading_minors(left)):
         raise BodyError("the rotors have more inertia about their axes than the body with them: check their "
                         "units, or give lumped=False if the tensor is without them")
+    momentum, free = [lowest(x) for x in l], Matrix.zeros(3)
     for rotor in rotors:
-        total = total - rotor.axial * rotor.along if rotor.momentum is not None else total
-    return Gyrostat(total.applyfunc(lowest).tolist(), [lowest(x) for x in l])
+        free += rotor.axial * rotor.along if rotor.momentum is not None else Matrix.zeros(3)
+    left = (total - free).applyfunc(lowest).tolist()
+    if free.is_zero_matrix:
+        return Gyrostat(left, momentum)
+    return GyrostatWithFreeRotors(left, momentum, free=ImmutableMatrix(free.applyfunc(lowest)))
+
+
+@dataclass(frozen=True)
+class GyrostatWithFreeRotors(Gyrostat):
+    """A gyrostat whose tensor is without the axial moments of its free rotors, free = Σ axial · a aᵀ."""
+
+    free: ImmutableMatrix = ImmutableMatrix.zeros(3)
+
+    @property
+    def gravitating(self) -> ImmutableMatrix:
+        """The tensor on which gravity acts, shape (3, 3): it has the axial moments of the free rotors too."""
+        return ImmutableMatrix((self.tensor + self.free).applyfunc(lowest))
+
+    def changed(self, change: Callable[[Expr], Expr]) -> Gyrostat:
+        """Return the body with every entry changed, those of its free rotors too."""
+        return self._with(super().changed(change), self.free.applyfunc(change))
+
+    def turned(self, R: ImmutableMatrix, moments: Sequence[Expr], rotor: Sequence[Expr]) -> Gyrostat:
+        """Return the body in axes x' = R x, where its moments and its rotor are known."""
+        return self._with(super().turned(R, moments, rotor), R * self.free * R.T)
+
+    @staticmethod
+    def _with(body: Gyrostat, free: ImmutableMatrix) -> Gyrostat:
+        return GyrostatWithFreeRotors(body.inertia, body.gyrostatic_momentum, free=free)
 
 
 def _direction(axis: Sequence[Any]) -> tuple[Expr, ...]:

@@ -12,8 +12,9 @@ from ...arguments import checked, several
 from ...errors import BodyError
 from ...notation import components
 from ...registry import check_names
-from .body import Gyrostat, tensor_of
+from .body import Gyrostat
 from .coupled import coupled_potential, unit_and_orthogonal
+from .inertia_entries import tensor_of
 from .system import System, system_of
 
 IMPULSE, DOWN = "p", "gamma"
