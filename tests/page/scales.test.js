@@ -66,6 +66,23 @@ test("a number that is not known yet has a scale until it is", () => {
   assert.deepEqual(heard.get("I1"), { of: name("I1"), ends: [5, 500], whole: [5, 500], open: false });
 });
 
+test("a link says the ends, and the whole range stays that of the number", () => {
+  const names = ["I1", "l"].map(name), values = number({ I1: 1, l: 1 });
+  const found = fitted(new Map(), names, values, { I1: ["0.5", "2"], l: ["0", "3"], c: ["1", "2"] });
+  assert.deepEqual(found.get("I1"), scale("I1", [0.5, 2], [0.05, 5]));
+  assert.deepEqual(found.get("l"), scale("l", [0, 3], [-5, 5]));
+  assert.equal(found.size, 2);
+  assert.deepEqual(fitted(found, names, values, { l: ["1", "2"] }), found);
+  for (const wrong of [["0", "2"], ["-1", "2"], ["2", "1"], ["a", "b"], ["1"], ["1", "1e999"], ["1", "1"]]) {
+    assert.deepEqual(ends(fitted(new Map(), names, values, { I1: wrong }), "I1"), [0.05, 5]);
+  }
+});
+
+test("scales of other names stay", () => {
+  const old = scalesOf({ I1: 1, l: 3 });
+  assert.deepEqual(scalesOf({ c: 1 }, old).get("l"), old.get("l"));
+});
+
 test("a name of JavaScript's own objects has a scale", () => {
   const found = fitted(new Map(), ["__proto__", "constructor"].map(name), () => 2);
   assert.deepEqual(ends(found, "__proto__"), [-5, 5]);

@@ -28,7 +28,7 @@ window.onerror = (message) => notice("page", `This page failed (${message}).`, .
 window.onunhandledrejection = ({ reason }) => window.onerror(reason?.message ?? reason);
 
 const asked = nothing(), drawn = {};
-let examples = [], zoomed = {};                         // zoomed: the ends of axes that a link says
+let examples = [];
 const analyser = new Analyser(told);
 const asks = Object.fromEntries(KINDS.map((kind) => [kind, (question) => analyser.ask(kind, question)]));
 const answers = new Answers({ ...asks,
@@ -94,12 +94,6 @@ function mark() {
 function analysed(found) {
   if (found.equilibria) asked.equilibrium = found.chosen;
   if (found.axes) chart.choose(found.axes, found.names);
-  fitted(asked, found.names ?? []);
-  for (const [name, ends] of Object.entries(zoomed)) {
-    const scale = asked.scales.get(name);
-    if (scale) asked.scales.set(name, { ...scale, ends, open: false });
-  }
-  zoomed = {};
   return scene(asked);
 }
 
@@ -127,7 +121,7 @@ function picked(n) {
 function restore({ table, axes = [], ends = {} }) {
   const example = numbered(table, examples);
   Object.assign(asked, taken(table));
-  zoomed = ends;
+  Object.assign(asked.ends, ends);
   chart.wanted = axes;
   form.fill(example, examples[example]?.source ?? "");
   answers.forget("analysed");

@@ -2,7 +2,7 @@
 import { notice, reload } from "../app/notices.js";
 import { possible } from "../app/numbers.js";
 import { element } from "./blocks.js";
-import { handled } from "./hands.js";
+import { handled } from "./chart-hands.js";
 import { paint, placed, shares } from "./plot.js";
 import { Regions, SIZE } from "./regions.js";
 import { rounded, stretched, written } from "./scales.js";

@@ -83,12 +83,29 @@ const isSeen = ([low, high], value) => low <= value && value <= high
  * @param {Map<string, Scale>} scales
  * @param {Name[]} names
  * @param {(name: string) => number} number
+ * @param {Record<string, string[]>} given the ends of new ones that a link says
  * @returns {Map<string, Scale>}
  */
-export function fitted(scales, names, number) {
+export function fitted(scales, names, number, given = {}) {
   const about = typical(names, number);
-  return new Map([...scales, ...names.map((name) => /** @type {[string, Scale]} */ (
-    [name.name, fittedTo(scales.get(name.name), name, number(name.name), about)]))]);
+  /** @param {Name} name @returns {[string, Scale]} */
+  const entry = (name) => {
+    const old = scales.get(name.name), scale = fittedTo(old, name, number(name.name), about);
+    const ends = !old && Object.hasOwn(given, name.name) && possible(name, given[name.name].map(Number));
+    return [name.name, ends ? { ...scale, ends } : scale];
+  };
+  return new Map([...scales, ...names.map(entry)]);
+}
+
+/**
+ * Ends that a name can have; null if they are none.
+ * @param {Name} name
+ * @param {number[]} ends
+ * @returns {Ends | null}
+ */
+function possible(name, [low, high]) {
+  const right = high - low > 1e-9 * Math.max(Math.abs(low), Math.abs(high)) && high - low < Infinity;
+  return right && !(isPositive(name) && low <= 0) ? [low, high] : null;
 }
 
 /**

@@ -18,7 +18,7 @@ export function fitted(asked, names) {
     if (above) positive.add(name);
     asked.values[name] ??= START.get(name) ?? "1";
   }
-  asked.scales = scaled(asked.scales, names, (name) => possible(name, asked.values[name]));
+  asked.scales = scaled(asked.scales, names, (name) => possible(name, asked.values[name]), asked.ends);
 }
 
 /**

@@ -1,7 +1,7 @@
 // What fingers and a mouse mean: who scrolls sets no number.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { Hands } from "../../docs/try/views/hands.js";
+import { Hands } from "../../docs/try/views/chart-hands.js";
 
 const POINT = [100, 100];
 
