@@ -109,15 +109,15 @@ export class Sharing {
 
   /** @returns {import("../views/picture.js").Seen} */
   lit() {
-    const { views: { body, chart }, answers: { answered: { decided } } } = this;
+    const { views: { body: { picture }, chart }, answers: { answered: { decided } } } = this;
     /** @param {Element} one */
     const text = (one) => one.textContent?.trim() ?? "";
     const [badge] = all("#verdict .badge"), charted = chart.printed();
     const page = getComputedStyle(document.body);
     /** @type {import("../views/picture.js").View[]} */
     const views = charted ? [charted] : [];
-    const moving = { width: SIZE, height: SIZE, draw: (/** @type {any} */ to) => paint(to, SIZE, body.picture, LIGHT) };
-    return { title: title(), line: line(this.asked), views: body.body ? [moving, ...views] : views,
+    if (picture) views.unshift({ width: SIZE, height: SIZE, draw: (to) => paint(to, SIZE, picture, LIGHT) });
+    return { title: title(), line: line(this.asked), views,
       verdict: { text: badge && decided && !decided.answer.error ? text(badge) : "",
         more: all("#verdict .damped").map(text).join(), colour: badge ? getComputedStyle(badge).color : "" },
       key: charted ? all("#charted .key li").map((item) => ({ text: text(item),
