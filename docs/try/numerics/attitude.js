@@ -1,4 +1,4 @@
-// Attitudes: R takes the axes of the body to those of space, x_space = R x_body; quaternions have the scalar first.
+// Attitudes: R takes a vector from the axes of the body to those of space; a quaternion has its scalar first.
 
 /** @typedef {[number, number, number]} Vector */
 /** @typedef {[Vector, Vector, Vector]} Matrix its rows */
@@ -10,7 +10,10 @@ export const vector = (entry) => [entry(0), entry(1), entry(2)];
 export const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 
 /** @param {number[]} a @param {number[]} b */
-export const cross = (a, b) => vector((n) => a[(n + 1) % 3] * b[(n + 2) % 3] - a[(n + 2) % 3] * b[(n + 1) % 3]);
+export const cross = (a, b) => vector((n) => {
+  const next = (n + 1) % 3, last = (n + 2) % 3;
+  return a[next] * b[last] - a[last] * b[next];
+});
 
 /** @param {number[]} a */
 export function unit(a) {
@@ -28,8 +31,8 @@ export const combined = (rows, x) => vector((n) => x[0] * rows[0][n] + x[1] * ro
 export const UNTURNED = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
 
 /**
- * The attitude in which a direction of the body points up, and another one, if there is one, along axis 2 of space;
- * else axis 1 of the body, or axis 2, stays as near to axis 1 of space as it can.
+ * The attitude in which a direction of the body points up, and another one, if there is one, along axis 2 of
+ * space; else axis 1 of the body, or axis 2, stays as near to axis 1 of space as it can.
  * @param {number[]} up
  * @param {number[]} [side] across up
  * @returns {Matrix}
@@ -47,7 +50,8 @@ export function upright(up, side) {
  * @returns {Matrix}
  */
 export function broughtNear([x, y, z], [u, v]) {
-  const angle = Math.atan2(dot(x, v) - dot(y, u), dot(x, u) + dot(y, v)), c = Math.cos(angle), s = Math.sin(angle);
+  const angle = Math.atan2(dot(x, v) - dot(y, u), dot(x, u) + dot(y, v));
+  const c = Math.cos(angle), s = Math.sin(angle);
   return [vector((n) => c * x[n] - s * y[n]), vector((n) => s * x[n] + c * y[n]), z];
 }
 
@@ -77,8 +81,8 @@ export const turning = ([w, x, y, z], [a, b, c]) => [(-x * a - y * b - z * c) / 
   (w * a + y * c - z * b) / 2, (w * b + z * a - x * c) / 2, (w * c + x * b - y * a) / 2];
 
 /**
- * The principal moments of a tensor and its principal axes, right-handed, by Jacobi's rotations; those of a diagonal
- * tensor are its entries and the axes as they are.
+ * The principal moments of a tensor and its principal axes, right-handed, by Jacobi's rotations; those of a
+ * diagonal tensor are its entries and the axes as they are.
  * @param {number[]} tensor I11, I22, I33, I23, I31, I12
  * @returns {{ moments: Vector, axes: Matrix }} each axis in the axes of the body
  */

@@ -28,14 +28,16 @@ export function programs(found) {
 }
 
 /**
- * A state with its directions turned, or the momentum of a free body, about the axis that is the nearest to across.
+ * A state with its directions, or the momentum of a free body, turned about the axis that is nearest to across.
  * @param {number[]} state
  * @param {number} push in rad
  */
 export function released(state, push) {
   const last = state.length - 3, quiet = state.slice(last).map(Math.abs), found = [...state];
   const axis = quiet.indexOf(Math.min(...quiet));
-  for (let n = last ? 3 : 0; n <= last; n += 3) found.splice(n, 3, ...about(found.slice(n, n + 3), axis, push));
+  for (let n = last ? 3 : 0; n <= last; n += 3) {
+    found.splice(n, 3, ...about(found.slice(n, n + 3), axis, push));
+  }
   return found;
 }
 
@@ -43,8 +45,8 @@ export function released(state, push) {
 export const momentum = (state, rotor) => vector((n) => state[n] + rotor[n]);
 
 /**
- * The attitude at a state: the direction of the field, or the momentum of a free body, points up; in orbit t, n and r
- * are the axes of space.
+ * The attitude at a state: the direction of the field, or the momentum of a free body, points up; in orbit
+ * t, n and r are the axes of space.
  * @param {number[]} state
  * @param {number[]} rotor
  */
@@ -54,14 +56,15 @@ export function attitudeAt(state, rotor) {
 }
 
 /**
- * About the largest modulus of an eigenvalue of a field's derivative J, in whatever units: the 32nd root of the norm of
- * its 32nd power.
+ * About the largest modulus of an eigenvalue of a field's derivative J, in whatever units: the 32nd root of
+ * the norm of its 32nd power.
  * @param {(state: number[]) => number[]} rate
  * @param {number[]} state
  */
 export function fastest(rate, state) {
   const columns = state.map((entry, j) => {
-    const h = 1e-6 * (1 + Math.abs(entry)), [up, down] = [h, -h].map((step) => rate(state.with(j, entry + step)));
+    const h = 1e-6 * (1 + Math.abs(entry));
+    const [up, down] = [h, -h].map((step) => rate(state.with(j, entry + step)));
     return up.map((x, i) => (x - down[i]) / (2 * h));
   });
   let J = state.map((_, i) => columns.map((column) => column[i])), logarithm = 0;

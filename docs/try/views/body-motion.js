@@ -11,8 +11,9 @@ import { solid } from "./solids.js";
 /** @type {[number, number]} */
 export const VIEW = [0.6, 0.38];                        // from where a body is seen at first
 const PIECE = 60, PIECES = 30;                          // samples of a piece of the path, and how many pieces
-const FRAMES = 240, STRIDE = 4, AHEAD = 60;             // frames to a period, to a sample of what is to come; samples
-const FASTEST = 0.25;                                   // rad of a wheel in a frame: faster it would seem to stand
+const FRAMES = 240;                                     // to the shortest period
+const STRIDE = 4, AHEAD = 60;                           // frames to a sample of what is to come; samples
+const FASTEST = 0.25;                                   // rad of a wheel in a frame; faster it seems to stand
 /** @type {Record<number, string[]>} */
 const FRAME = { 3: ["", "", "M"], 6: ["", "", "k"], 9: ["roll t", "pitch n", "yaw r"] };
 /** @type {Record<number, string>} */
@@ -50,15 +51,16 @@ export class BodyMotion {
   }
 
   /**
-   * The body at other numbers: from the equilibrium a little turned, or at rest where it cannot move. A motion begins
-   * as near as can be to the attitude in which the body was.
+   * The body at other numbers: from the equilibrium a little turned, or at rest where it cannot move. A
+   * motion begins as near as can be to the attitude in which the body was.
    * @param {Numbers} numbers
    * @param {number} push in rad
    * @returns {string} why it does not move; "" if it does
    */
   restart(numbers, push) {
     this.rest();
-    const { inertia, rotor, state } = this.programs, tensor = inertia?.(numbers) ?? [NaN], body = principal(tensor);
+    const { inertia, rotor, state } = this.programs;
+    const tensor = inertia?.(numbers) ?? [NaN], body = principal(tensor);
     if (!tensor.every(Number.isFinite) || !body.moments.every((moment) => moment > 0)) {
       return this.refused || "a body has positive moments of inertia";
     }
@@ -68,7 +70,8 @@ export class BodyMotion {
       this.count = here.length;
       this.followed = followed(body, unit(up));
     }
-    const why = this.refused || (this.count ? "" : "a motion needs an equilibrium that exists at these numbers");
+    const nowhere = this.count ? "" : "a motion needs an equilibrium that exists at these numbers";
+    const why = this.refused || nowhere;
     if (why) {
       this.attitude = this.count ? attitudeAt(here, this.body.rotor) : UNTURNED;
       return why;
@@ -105,10 +108,10 @@ export class BodyMotion {
   step(frames) {
     const { flight, body } = this;
     if (!flight || !body) return;
-    const time = frames * flight.period / FRAMES, spin = Math.hypot(...body.rotor) / Math.max(...body.moments);
-    flight.motion.at(flight.time + time);
+    const pace = flight.period / FRAMES, spin = Math.hypot(...body.rotor) / Math.max(...body.moments);
+    flight.motion.at(flight.time + frames * pace);
     this.arrived(flight);
-    if (time) this.wheel += FASTEST * frames * Math.tanh(8 * spin * time / frames);
+    this.wheel += frames * FASTEST * Math.tanh(8 * spin * pace);
   }
 
   /**
@@ -147,8 +150,8 @@ export class BodyMotion {
   /** Where the motion is; "" at rest. */
   said() {
     if (!this.flight) return "";
-    const names = this.coordinates.slice(-3).join(", "), there = this.flight.state.slice(-3).map(short).join(", ");
-    return `t = ${short(this.flight.time)}: (${names}) = (${there})`;
+    const { time, state } = this.flight, there = state.slice(-3).map(short).join(", ");
+    return `t = ${short(time)}: (${this.coordinates.slice(-3).join(", ")}) = (${there})`;
   }
 
   /** What is drawn. */
@@ -157,9 +160,10 @@ export class BodyMotion {
     if (!body) return "";
     const shape = body.solid.kind === "box" ? "The homogeneous box with these moments"
       : "No body has these moments; drawn is its ellipsoid of inertia, I₁x² + I₂y² + I₃z² = 1";
-    const path = count === 3 ? "M as the body sees it" : `the tip of e${SUBSCRIPTS[this.followed]}`;
+    const still = count ? `; ${STILL[count]}` : "";
     const wheel = Math.hypot(...body.rotor) ? " The wheel is the rotor, about l." : "";
-    return `${shape}${count ? `; ${STILL[count]}` : ""}.${wheel}${flight ? ` The path is that of ${path}.` : ""}`;
+    const point = count === 3 ? "M as the body sees it" : `the tip of e${SUBSCRIPTS[this.followed]}`;
+    return `${shape}${still}.${wheel}${flight ? ` The path is that of ${point}.` : ""}`;
   }
 }
 

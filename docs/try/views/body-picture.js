@@ -1,4 +1,4 @@
-// Paints a body in space on a 2D context: a canvas, or anything that has its moveTo, lineTo, arc, stroke and fill.
+// Paints a body in space on a 2D context, that of a canvas or one that writes SVG.
 import { combined, cross, dot, turned, unit, vector } from "../numerics/attitude.js";
 import { exit, wheel } from "./solids.js";
 
@@ -11,15 +11,15 @@ import { exit, wheel } from "./solids.js";
  * @property {import("./solids.js").Solid} solid
  * @property {Matrix} axes the principal axes, in the axes of the body
  * @property {Matrix} attitude from the axes of the body to those of space
- * @property {{ axle: Vector, angle: number } | null} rotor its direction in the axes of the body, and its angle
+ * @property {{ axle: Vector, angle: number } | null} rotor its direction, in the axes of the body
  * @property {{ direction: Vector, name: string }[]} frame what stands still
- * @property {{ axes: Matrix, past: Vector[][], age: number[], ahead: Vector[] }} path the axes in which it is given,
- *   what is past in pieces from the oldest on, the age of each from 0 to 1, and what is to come
+ * @property {{ axes: Matrix, past: Vector[][], age: number[], ahead: Vector[] }} path in which axes it is, its
+ *   pieces that are past, from the oldest on, the age of each from 0 to 1, and what is to come
  * @property {string} verdict "" of none
  * @property {[number, number]} view by how much the eye is turned about the vertical and raised, in rad
  */
 
-/** @typedef {{ shown: Vector[], facing: number, colour: string }} Shown a face from outside (1), inside or aside (0) */
+/** @typedef {{ shown: Vector[], facing: number, colour: string }} Shown from outside (1), inside (-1), aside */
 /** @typedef {{ name: string, length: number, colour: string, width: number, aside: number }} Style */
 /** @typedef {Style & { from: Vector, to: Vector, front: boolean }} Ray */
 
@@ -30,7 +30,8 @@ const GLASS = 0.5;                                      // how much of the wheel
 const SUN = unit([-0.5, 0.8, -0.6]);                    // to the light: across, up, away
 /** @type {Record<string, number[]>} */
 const DASHES = { STABLE: [], UNSTABLE: [7, 4], UNDECIDED: [2, 3], "": [] };
-const CIRCLE = Array.from({ length: 73 }, (_, n) => n * Math.PI / 36).map((x) => unit([Math.cos(x), Math.sin(x), 0]));
+const CIRCLE = Array.from({ length: 73 }, (_, n) => n * Math.PI / 36).map((angle) =>
+  unit([Math.cos(angle), Math.sin(angle), 0]));
 
 /** @param {[number, number]} view @returns {Matrix} the directions across, up and away from the eye */
 function eye([turn, tilt]) {
@@ -62,7 +63,7 @@ class Painter {
     const facing = Math.abs(area) < 1e-9 ? 0 : -Math.sign(area);
     const normal = turned(this.looking, unit(cross(vector((n) => b[n] - a[n]), vector((n) => c[n] - a[n]))));
     const light = 0.66 + 0.34 * facing * dot(normal, SUN);
-    return { shown, facing, colour: `rgb(${rgb.map((x) => Math.min(255, Math.round(x * light))).join(", ")})` };
+    return { shown, facing, colour: `rgb(${rgb.map((x) => Math.round(x * light)).join(", ")})` };
   }
 
   /** @param {Shown} face @param {number} alpha @param {string} edge its colour, "" of none */
@@ -78,7 +79,7 @@ class Painter {
     context.stroke();
   }
 
-  /** Those parts of a line that are before the centre, or behind. @param {Vector[]} points @param {boolean} front */
+  /** The parts of a line before the centre, or behind. @param {Vector[]} points @param {boolean} front */
   line(points, front) {
     const { context } = this;
     let before = false;
@@ -102,7 +103,8 @@ class Painter {
     this.line(CIRCLE, front);
     if (front) return;
     context.beginPath();
-    context.arc(MIDDLE[0] * size, MIDDLE[1] * size, SHARE * size * FAR / Math.sqrt(FAR * FAR - 1), 0, 2 * Math.PI);
+    const radius = SHARE * size * FAR / Math.sqrt(FAR * FAR - 1);
+    context.arc(MIDDLE[0] * size, MIDDLE[1] * size, radius, 0, 2 * Math.PI);
     context.stroke();
   }
 
@@ -111,7 +113,7 @@ class Painter {
     const { context } = this, strength = front ? 1 : 0.45;
     /** @param {Vector[]} points */
     const placed = (points) => points.map((point) => turned(axes, point));
-    Object.assign(context, { strokeStyle: colour, fillStyle: colour, lineWidth: 1, globalAlpha: 0.45 * strength });
+    Object.assign(context, { strokeStyle: colour, lineWidth: 1, globalAlpha: 0.45 * strength });
     context.setLineDash(DASHES[verdict]);
     this.line(placed(ahead), front);
     context.lineWidth = 2;
@@ -122,7 +124,7 @@ class Painter {
     context.setLineDash([]);
     const [tip] = placed(past.flatMap((piece) => piece.slice(-1)).slice(-1)).map((point) => this.seen(point));
     if (!tip || tip[2] <= 0 !== front) return;
-    context.globalAlpha = 1;
+    Object.assign(context, { fillStyle: colour, globalAlpha: 1 });
     context.beginPath();
     context.arc(tip[0], tip[1], 4, 0, 2 * Math.PI);
     context.fill();
@@ -136,8 +138,9 @@ class Painter {
 
   /** @param {Ray} ray */
   arrow(ray) {
-    const { context, size } = this, { x, y, u, v, long, p, q } = this.ends(ray), head = size / 50;
-    Object.assign(context, { strokeStyle: ray.colour, fillStyle: ray.colour, lineWidth: ray.width, globalAlpha: 1 });
+    const { context, size } = this, { x, y, u, v, long, p, q } = this.ends(ray), { colour } = ray;
+    const head = size / 50;
+    Object.assign(context, { strokeStyle: colour, fillStyle: colour, lineWidth: ray.width, globalAlpha: 1 });
     context.beginPath();
     context.moveTo(x, y);
     context.lineTo(u, v);
@@ -152,20 +155,24 @@ class Painter {
     }
   }
 
-  /** The name of an arrow, behind its tip or aside, if no face hides it. @param {Ray} ray @param {Shown[]} body */
+  /**
+   * The name of an arrow, before its tip or aside; none behind the body.
+   * @param {Ray} ray
+   * @param {Shown[]} body
+   */
   name(ray, body) {
     const { context, size } = this, { u, v, p, q } = this.ends(ray), { name, aside } = ray;
     const across = aside * size / 24, along = aside ? 0 : size / 22, edge = size * 0.015 * (1 + name.length);
     const x = Math.min(size - edge, Math.max(edge, u + p * along - q * across));
     const y = Math.min(size * 0.97, Math.max(size * 0.03, v + q * along + p * across));
     if (!ray.front && body.some(({ shown, facing }) => facing > 0 && inside(shown, x, y))) return;
-    Object.assign(context, { fillStyle: ray.colour, textAlign: "center", textBaseline: "middle", globalAlpha: 1,
-      font: `${Math.round(size / 25)}px system-ui, sans-serif` });
+    Object.assign(context, { fillStyle: ray.colour, globalAlpha: 1, textAlign: "center",
+      textBaseline: "middle", font: `${Math.round(size / 25)}px system-ui, sans-serif` });
     context.fillText(name, x, y);
   }
 }
 
-/** @param {Vector[]} shown the corners of a face that is seen from outside @param {number} x @param {number} y */
+/** @param {Vector[]} shown the corners of a face, seen from outside @param {number} x @param {number} y */
 const inside = (shown, x, y) => shown.every(([a, b], n) => {
   const [c, d] = shown[(n + 1) % shown.length];
   return (c - a) * (y - b) <= (d - b) * (x - a);
@@ -199,7 +206,8 @@ export function paint(context, size, picture, colours) {
   const ray = (direction, style) => {
     const within = turned(own, direction), { reach, normal } = exit(solid, within);
     const front = dot(normal, vector((n) => eyed[n] - reach * within[n])) > 0;
-    return { ...style, from: vector((n) => reach * direction[n]), to: vector((n) => style.length * direction[n]), front };
+    return { ...style, from: vector((n) => reach * direction[n]), front,
+      to: vector((n) => style.length * direction[n]) };
   };
   const still = { length: 1.2, colour: colours.quiet, width: 2, aside: 0 };
   const axis = { length: 1, colour: colours.ink, width: 1.25, aside: 1 };

@@ -5,7 +5,7 @@ const KEYS = { ArrowLeft: [-0.1, 0], ArrowRight: [0.1, 0], ArrowUp: [0, 0.1], Ar
 const SPEED = 1 / 150;                                  // rad of a pixel
 
 /**
- * A finger that moves up or down scrolls the page; the browser does that, where its style says touch-action: pan-y.
+ * A finger that moves up or down scrolls the page; the browser does that by the style touch-action: pan-y.
  * @param {HTMLElement} place
  * @param {(across: number, up: number) => void} turn in rad
  * @param {() => void} back

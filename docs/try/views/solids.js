@@ -1,4 +1,4 @@
-// Solids that stand for a body, in its principal axes; their faces are flat, and counterclockwise from outside.
+// Solids that stand for a body, in its principal axes; faces are flat, their corners counterclockwise outside.
 import { combined, cross, unit, UNTURNED, vector } from "../numerics/attitude.js";
 
 /** @typedef {import("../numerics/attitude.js").Vector} Vector */
@@ -16,14 +16,14 @@ import { combined, cross, unit, UNTURNED, vector } from "../numerics/attitude.js
  * @property {Face[]} faces
  */
 
-const REACH = 0.68;                                     // of the farthest corner, where the axes have the length 1
+const REACH = 0.68;                                     // of the farthest corner; the axes have the length 1
 const ROUND = 1e-12;                                    // what rounding leaves of the thickness of a lamina
 const RINGS = 10, SECTORS = 24, SLICES = 6;
 const ACCENT = 3;                                       // the face at the end of axis 3 stands out
 
 /**
- * The homogeneous box with these principal moments: I1 is proportional to b² + c² of its edges, and so on. No body has
- * a moment larger than the sum of the others; then it is the ellipsoid of inertia, I1 x² + I2 y² + I3 z² = 1.
+ * The homogeneous box with these principal moments: I1 is proportional to b² + c² of its edges, and so on. No
+ * body has a moment larger than the sum of the others; then the ellipsoid of inertia, I1 x² + I2 y² + I3 z² = 1.
  * @param {number[]} moments positive
  * @returns {Solid}
  */
@@ -31,7 +31,8 @@ export function solid(moments) {
   const sum = moments[0] + moments[1] + moments[2];
   const squares = moments.map((moment) => sum - 2 * moment).map((x) => Math.abs(x) < ROUND * sum ? 0 : x);
   if (squares.every((x) => x >= 0)) {
-    const edges = squares.map(Math.sqrt), long = Math.hypot(...edges), half = vector((n) => REACH * edges[n] / long);
+    const edges = squares.map(Math.sqrt), factor = REACH / Math.hypot(...edges);
+    const half = vector((n) => factor * edges[n]);
     return { kind: "box", half, faces: box(half) };
   }
   const least = Math.min(...moments), half = vector((n) => REACH * Math.sqrt(least / moments[n]));
