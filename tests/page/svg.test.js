@@ -78,13 +78,14 @@ test("translate and scale place what is drawn, and their inverses bring it back"
 });
 
 test("a circle begins where a canvas begins it, and closes", () => {
-  const [, , { of: { d } }] = drawn((context) => {
+  const [, , { of: { d, "stroke-width": width } }] = drawn((context) => {
     context.scale(2, 2);
     context.beginPath();
     context.arc(25, 20, 15, Math.PI / 2, 2.5 * Math.PI);
     context.stroke();
   });
   assert.equal(d, "M50 70A30 30 0 0 1 50 10A30 30 0 0 1 50 70");
+  assert.equal(width, "2");
 });
 
 test("an image is a part of the picture", () => {
