@@ -19,7 +19,7 @@ FIELDS = ["m0*k3", "k3^4 - k3^2/2", "m0*k3 + m1*k3^2", "exp(k3)*m0", "c1*k1 + c3
           "none", "sin(k3) + sqrt(k3 + 2)", "log(k3 + 3)/(k1 + 4)"]
 TIMES = [0.5, 2.5, 10]
 FOLLOW = """async (given) => {
-    const { compiled } = await import("./numerics/programs.js");
+    const { compiled } = await import("./numerics/compiled.js");
     const { Motion } = await import("./numerics/integrator.js");
     return given.map(({ rates, coordinates, numbers, state }) => {
         const run = compiled(rates);
@@ -88,3 +88,108 @@ def test_a_motion_that_there_is_not_is_said(page):
     page.wait_for_selector("#motion:visible")
     assert "number" in typed(page, "value-I1", "two")[1]
     assert "a motion needs numbers" in page.inner_text("#no-motion") and page.is_hidden("#motion")
+
+
+PIXELS = "() => document.getElementById('motion').toDataURL()"
+COUNTED = """colour => { const canvas = document.getElementById("motion");
+    const data = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height).data;
+    return data.filter((_, n) => n % 4 === 0 && colour.every((part, i) => data[n + i] === part)).length; }"""
+
+
+def standing(page):
+    """The page with a body that stands, its picture whole."""
+    picked(page, 0)
+    page.locator("#motion").scroll_into_view_if_needed()
+    page.wait_for_function("document.getElementById('state').textContent > 't = 0.1'")
+    page.click("#nearby button:has-text('Pause')")
+    page.wait_for_timeout(300)
+    return page.evaluate(PIXELS)
+
+
+def test_keys_and_the_mouse_turn_the_view(page):
+    """Both ways; the key 0 and a double click bring it back, and nothing else has changed."""
+    first = standing(page)
+    box = page.locator("#motion").bounding_box()
+    x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+    seen = [first]
+    for across, up in ((60, 0), (0, 40)):
+        page.mouse.move(x, y)
+        page.mouse.down()
+        page.mouse.move(x + across, y + up)
+        page.mouse.up()
+        seen.append(page.evaluate(PIXELS))
+        page.mouse.dblclick(x, y)
+        assert page.evaluate(PIXELS) == first
+    for key in ("ArrowLeft", "ArrowDown"):
+        page.press("#motion", key)
+        seen.append(page.evaluate(PIXELS))
+        page.press("#motion", "0")
+        assert page.evaluate(PIXELS) == first
+    assert len(set(seen)) == 5
+    page.click("#nearby button:has-text('Go on')")
+
+
+def test_the_path_is_in_the_colour_of_the_verdict(page):
+    """Green or red, also once a number has changed the verdict."""
+    def count(colour):
+        return page.evaluate(COUNTED, list(colour))
+
+    stable, unstable = (11, 107, 58), (168, 32, 26)
+    standing(page)
+    assert count(stable) > 3 and not count(unstable)
+    typed(page, "value-m0", "3")
+    page.wait_for_selector(".badge:has-text('Unstable')")
+    page.wait_for_timeout(300)
+    assert count(unstable) > 3 and not count(stable)
+    page.click("#nearby button:has-text('Go on')")
+
+
+def test_who_wants_no_motion_has_a_picture_that_stands(page):
+    """At the time 0, with what is to come of the path; it goes on if one asks."""
+    page.emulate_media(reduced_motion="reduce")
+    picked(page, 5)
+    page.locator("#motion").scroll_into_view_if_needed()
+    page.wait_for_timeout(500)
+    assert page.inner_text("#state").startswith("t = 0.000000")
+    before = page.evaluate(PIXELS)
+    page.wait_for_timeout(300)
+    assert page.evaluate(PIXELS) == before
+    page.click("#nearby button:has-text('Go on')")
+    page.wait_for_function("!document.getElementById('state').textContent.startsWith('t = 0.000000')")
+    page.emulate_media(reduced_motion="no-preference")
+
+
+def test_the_picture_is_as_sharp_as_the_screen(page):
+    """A pixel of the canvas is one of the screen, whatever the width of the page."""
+    picked(page, 0)
+    for width in (390, 1280):
+        page.set_viewport_size({"width": width, "height": 900})
+        page.wait_for_timeout(200)
+        assert page.evaluate("(c => c.width == Math.round(c.clientWidth * devicePixelRatio))"
+                             "(document.getElementById('motion'))")
+
+
+def test_a_finger_scrolls_over_the_body_and_turns_it(page):
+    """Up and down the page moves, across the view does."""
+    page.set_viewport_size({"width": 390, "height": 700})
+    first = standing(page)
+    touch = page.context.new_cdp_session(page)
+
+    def drawn(across, down):
+        box = page.locator("#motion").bounding_box()
+        x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+        touch.send("Input.dispatchTouchEvent", {"type": "touchStart", "touchPoints": [{"x": x, "y": y}]})
+        for n in range(1, 11):
+            touch.send("Input.dispatchTouchEvent", {"type": "touchMove", "touchPoints": [
+                {"x": x + across * n / 10, "y": y + down * n / 10}]})
+        touch.send("Input.dispatchTouchEvent", {"type": "touchEnd", "touchPoints": []})
+        page.wait_for_timeout(300)
+
+    before = page.evaluate("scrollY")
+    drawn(0, -120)
+    assert page.evaluate("scrollY") > before + 50 and page.evaluate(PIXELS) == first
+    before = page.evaluate("scrollY")
+    drawn(100, 0)
+    assert page.evaluate("scrollY") == before and page.evaluate(PIXELS) != first
+    page.press("#motion", "0")
+    page.click("#nearby button:has-text('Go on')")

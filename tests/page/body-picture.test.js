@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
 import { principal, rotation, turned, unit, UNTURNED } from "../../docs/try/numerics/attitude.js";
-import { paint, projection } from "../../docs/try/views/body-picture.js";
+import { paint } from "../../docs/try/views/body-picture.js";
 import { DARK, LIGHT } from "../../docs/try/views/colours.js";
 import { solid } from "../../docs/try/views/solids.js";
 
@@ -57,8 +57,8 @@ function painted(given, colours = LIGHT) {
 function place([x, y, z], [turn, tilt]) {
   const a = Math.cos(turn) * x - Math.sin(turn) * y, b = Math.sin(turn) * x + Math.cos(turn) * y;
   const up = Math.cos(tilt) * z + Math.sin(tilt) * b, away = Math.cos(tilt) * b - Math.sin(tilt) * z;
-  const unitLength = projection(SIZE, [0, 0])([1, 0, 0])[0] - SIZE / 2;
-  return [SIZE / 2 + unitLength * a * 7 / (7 + away), SIZE / 2 - unitLength * up * 7 / (7 + away)];
+  const unitLength = 0.36 * SIZE * 7 / (7 + away);
+  return [0.5 * SIZE + unitLength * a, 0.53 * SIZE - unitLength * up];
 }
 
 const corners = ({ points }) => points.filter(([kind]) => kind === "move" || kind === "line").map(([, x, y]) => [x, y]);
@@ -83,7 +83,7 @@ test("each face of the box that is turned to the eye is painted where its corner
 test("a tensor with products of inertia is drawn by its principal axes", () => {
   const half = Math.SQRT1_2, body = principal([2, 2, 2.5, 0, 0, 0.5]), given = picture(body.moments, body);
   const names = painted(given).texts.map(({ text }) => text);
-  assert.deepEqual(names.toSorted(), ["e₁", "e₂", "e₃"]);
+  assert.ok(names.includes("e₁") && names.includes("e₃"));
   const tips = painted(given).stroked.map((stroke) => corners(stroke).at(-1)).filter(Boolean);
   for (const axis of [[half, half, 0], [half, -half, 0]]) {
     assert.ok(tips.some((tip) => close(tip, place(axis, given.view)) || close(tip, place(axis.map((x) => -x), given.view))));
@@ -92,17 +92,24 @@ test("a tensor with products of inertia is drawn by its principal axes", () => {
 
 test("an axis that leaves the body behind is painted before its faces", () => {
   for (const [view, first] of [[[0, 0], true], [[Math.PI, 0], false]]) {
+    const attitude = rotation([1, 0.1, 0, 0]), tip = place(turned(attitude, [0, 1, 0]), view);
     const order = [], { context } = recorder(), recording = new Proxy(context, {
       get: (target, name) => (...given) => {
-        if (name === "fillText" && given[0] === "e₂") order.push("axis");
+        if (name === "lineTo" && close(given, tip)) order.push("axis");
         if (name === "fill") order.push("fill");
         return target[name](...given);
       },
       set: (target, name, value) => Reflect.set(target, name, value) });
-    paint(recording, SIZE, picture([1, 1, 1], { view }), LIGHT);
+    paint(recording, SIZE, picture([1, 1, 1], { view, attitude }), LIGHT);
     const axis = order.indexOf("axis"), before = order.slice(0, axis).filter((what) => what === "fill").length;
     assert.equal(before < 3, first);             // axis 2 points away from the eye that is not turned
   }
+});
+
+test("a name that is behind the body is not painted", () => {
+  const texts = (view) => painted(picture([1, 1, 1], { view })).texts.map(({ text }) => text);
+  assert.deepEqual(texts([0, 0]), ["e₁", "e₃"]);
+  assert.deepEqual(texts([Math.PI, 0.1]), ["e₁", "e₂", "e₃"]);
 });
 
 test("the path has the colour and the line of the verdict", () => {

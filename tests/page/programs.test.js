@@ -1,7 +1,8 @@
 // Programs in doubles: the error of each result is within its bound, by exact arithmetic.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { compiled, Rows, SLACK } from "../../docs/try/numerics/programs.js";
+import { compiled } from "../../docs/try/numerics/compiled.js";
+import { Rows, SLACK } from "../../docs/try/numerics/programs.js";
 import { absolute, below, chance, exactly, multiply, nearest, ratio, results, subtract } from "./exact.js";
 
 const NAMES = ["a", "b", "c", "x", "y"];

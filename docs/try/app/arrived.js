@@ -9,7 +9,8 @@ export function checked() {
     if (styled(link)) continue;
     const name = link.getAttribute("href") ?? "", formulas = name.startsWith("katex");
     if (formulas) unstyled();
-    lost(name, formulas ? "the browser sets the formulas." : "the page is plain, and has no chart.");
+    lost(name, formulas ? "the browser sets the formulas." : name === "modes.css"
+      ? "a scene alone, and paper, show the whole page." : "the page is plain, and has no chart.");
   }
 }
 

@@ -10,14 +10,14 @@ const at = (id) => document.getElementById(id);
 export class Form {
   /**
    * @param {import("./scene.js").Asked} asked
-   * @param {(pause?: number) => void} changed called when something is typed or picked
+   * @param {(pause?: number, field?: string) => void} changed called when something is typed, in a field, or picked
    * @param {(n: number) => void} picked called with the number of an example
    */
   constructor(asked, changed, picked) {
     this.asked = asked;
     this.changed = changed;
-    for (const name of TEXTS) at(name).oninput = () => this.typed(() => { asked.texts[name] = at(name).value; });
-    at("made").oninput = () => this.typed(() => { asked.made[at("made").name] = at("made").value; });
+    for (const name of TEXTS) at(name).oninput = () => this.typed(name, () => { asked.texts[name] = at(name).value; });
+    at("made").oninput = () => this.typed("made", () => { asked.made[at("made").name] = at("made").value; });
     at("ask").onsubmit = () => false;
     at("spin").onchange = () => {
       asked.spin = at("spin").value;
@@ -27,11 +27,11 @@ export class Form {
     at("example").onchange = () => picked(Number(at("example").value));
   }
 
-  /** What is typed is another scene than the example. @param {() => void} take */
-  typed(take) {
+  /** What is typed is another scene than the example. @param {string} field @param {() => void} take */
+  typed(field, take) {
     take();
     this.named(-1, "");
-    this.changed(PAUSE);
+    this.changed(PAUSE, field);
   }
 
   /** The examples to pick from. @param {{ title: string }[]} examples */

@@ -8,9 +8,12 @@ import { checked } from "./arrived.js";
 import { cards } from "./cards.js";
 import { copied } from "./copies.js";
 import { Form } from "./form.js";
+import { Entries } from "./history.js";
+import { Modes } from "./modes.js";
 import { lost, notice, reload } from "./notices.js";
 import { possible } from "./numbers.js";
 import { link, linked, nothing, numbered, scene, taken } from "./scene.js";
+import { Sharing } from "./sharing.js";
 import { KINDS, questions } from "./state.js";
 
 const STEPS = ["interpreter", "packages", "library", "ready"];
@@ -30,9 +33,13 @@ const asks = Object.fromEntries(KINDS.map((kind) => [kind, (question) => analyse
 const answers = new Answers({ ...asks,
   charted: ({ scene, axes }) => analyser.ask("charted", scene, [axes]),
   edges: ({ scene, axes, ends }) => analyser.ask("edges", scene, [axes, ends]) }, update, { analysed });
-const form = new Form(asked, changed, (n) => restore({ table: examples[n].scene, axes: [] }));
+const form = new Form(asked, changed, picked);
 const chart = new Chart(at("charted"), asked, answers, set, update);
 const nearby = new Nearby(at("nearby"), asked, answers, changed, update);
+const sharing = new Sharing(asked, answers, { body: nearby, chart }, update);
+const modes = new Modes(asked, (by) => picked(at("example").selectedIndex + by), update);
+const entries = new Entries((address) => history.pushState(null, "", address),
+  (address) => history.replaceState(null, "", address));
 const draw = cards(asked, form, changed);
 const SECTIONS = document.querySelectorAll("main section");
 
@@ -58,20 +65,25 @@ function update(pause = 0) {
   nearby.follow(reading);
   at("here").textContent = answer?.verdict
     ? `${asked.axes.map((name) => `${name} = ${question.values[name]}`).join(", ")}: ${word(answer.verdict)}` : "";
-  if (asked.copying && asked.copying !== "link") copying();
-  mark();
+  entries.follow(link(asked));
+  modes.follow();
+  sharing.follow(mark());
 }
 
-// An answer to another question than the page's is gone if the scene is another, and pale if the numbers are.
+// An answer to another question than the page's is gone if the scene is another, and pale if the numbers are. Whether
+// there is one.
 function mark() {
+  let some = false;
   for (const [id, shows] of Object.entries(PLACES)) {
     const place = at(id), waiting = typeof shows === "string" ? answers.waiting(shows) : shows.waiting;
+    some ||= waiting;
     place.ariaBusy = String(waiting);
     place.style.opacity = waiting ? 0.4 : "";
     place.style.visibility = answers.waiting("analysed") && place.classList.contains("answer") ? "hidden" : "";
   }
   for (const section of SECTIONS) section.classList.toggle("waiting", Boolean(section.querySelector("[aria-busy=true]")));
   document.body.ariaBusy = String(["analysed", "decided", "opened", "derived", "copied"].some((kind) => answers.waiting(kind)));
+  return some;
 }
 
 // The library names the equilibrium that it has chosen, and the axes that a chart may have.
@@ -82,22 +94,29 @@ function analysed(found) {
   return scene(asked);
 }
 
-// Something is set by the visitor: what was copied is of what was there before.
-function changed(pause) {
+// Something is set by the visitor, or typed in a field: what was copied is of what was there before.
+function changed(pause = 0, field = "") {
   asked.copying = "";
   copied("");
-  remember();
+  entries.follow(link(asked), field);
   update(pause);
 }
 
+// An example, if there is one of this number.
+function picked(n) {
+  if (!examples[n]) return;
+  restore({ table: examples[n].scene });
+  changed();
+}
+
 // Other fields and numbers, which are made again even if the scene is the one before.
-function restore({ table, axes }) {
+function restore({ table, axes = [], ends = {} }) {
   const example = numbered(table, examples);
   Object.assign(asked, taken(table));
+  Object.assign(asked.ends, ends);
   chart.wanted = axes;
   form.fill(example, examples[example]?.source ?? "");
   answers.forget("analysed");
-  changed();
 }
 
 function told({ step, ready, failed }) {
@@ -126,32 +145,6 @@ function set(name, text) {
   input.dispatchEvent(new Event("input"));
 }
 
-// The address is a link that restores what is on the page. Browsers take a new one some hundred times in half a
-// minute, then refuse; a slider moves oftener.
-let remembering;
-function remember() {
-  remembering ??= setTimeout(() => {
-    remembering = undefined;
-    history.replaceState(null, "", link(asked));
-  }, 400);
-}
-
-// What is asked for is copied when it has come.
-function copying() {
-  const kind = asked.copying, found = answers.of("copied");
-  if (!found || drawn.copying === found) return;
-  drawn.copying = found;
-  copied(kind, found[kind], found.error);
-}
-
-for (const button of document.querySelectorAll("[data-copy]")) {
-  button.onclick = () => {
-    asked.copying = button.dataset.copy;
-    drawn.copying = null;
-    if (asked.copying === "link") copied("link", new URL(link(asked), location).href);
-    update();
-  };
-}
 for (const [id, kind] of [["opened", "opened"], ["derivation", "derived"]]) {
   at(id).ontoggle = () => {
     asked.open[kind] = at(id).open;
@@ -160,7 +153,15 @@ for (const [id, kind] of [["opened", "opened"], ["derivation", "derived"]]) {
 }
 
 // What the address says, or the first example.
-const arrive = () => restore(linked(location.hash.slice(1)) ?? { table: examples[0]?.scene ?? {}, axes: [] });
+function arrive() {
+  const found = linked(location.hash.slice(1)) ?? { table: examples[0]?.scene ?? {}, show: "" };
+  asked.show = found.show;
+  restore(found);
+  entries.arrived(location.hash);
+  asked.copying = "";
+  copied("");
+  update();
+}
 
 document.fonts.onloadingerror = () => lost("A font", "formulas may look odd.");
 if (document.readyState === "complete") checked();

@@ -14,6 +14,7 @@ import { asGiven, given, MADE } from "./made.js";
  * @property {Record<string, [string, string]>} ends from where to where a slider and an axis of a name go
  * @property {Record<string, boolean>} open whether what folds is open, by the question that it asks
  * @property {string} copying what is to be copied; "" if nothing is
+ * @property {string} show lecture or embed; "" for the whole page
  * @property {string} push by how much the motion is turned out of the equilibrium, in rad
  */
 
@@ -34,7 +35,7 @@ const named = (values = {}) => Object.assign(Object.create(null), values);
 
 /** @returns {Asked} what is asked before anything is */
 export const nothing = () => ({ texts: {}, equilibrium: "", spin: "pi3_0", made: {}, values: named(), axes: ["", ""],
-  ends: named(), open: {}, copying: "", push: "0.05" });
+  ends: named(), open: {}, copying: "", show: "", push: "0.05" });
 
 /**
  * The parts of what is asked that a link or an example says; the library reads them as if they were typed.
@@ -113,21 +114,26 @@ export function link(asked) {
   const pairs = TEXTS.map((name) => [name, asked.texts[name]]);
   pairs.push(...Object.entries(given(asked)));
   pairs.push(["axes", asked.axes.join()], ["spin", asked.spin],
+    ...asked.axes.filter((name) => asked.ends[name]).map((name) => ["ends", `${name}=${asked.ends[name]}`]),
     ...Object.entries(asked.values).map(([name, text]) => ["set", `${name}=${text}`]));
+  if (asked.show) pairs.push(["show", asked.show]);
   return `#${new URLSearchParams(pairs)}`;
 }
 
 /**
- * The table of such a link, and the axes of its chart; null of an address without a scene.
+ * The table of such a link, the axes of its chart, their ends, and how the page is shown; null of an address without a scene.
  * @param {string} address what stands behind its #
  */
 export function linked(address) {
   const hash = new URLSearchParams(address);
   if (!hash.has("potential")) return null;
-  const values = hash.getAll("set").map((text) => [text.split("=", 1)[0], text.slice(text.indexOf("=") + 1)]);
+  const [values, ends] = ["set", "ends"].map((key) => hash.getAll(key)
+    .map((text) => [text.split("=", 1)[0], text.slice(text.indexOf("=") + 1)]));
   /** @type {Table} */
   const table = { potential: hash.get("potential"), values: Object.fromEntries(values) };
   for (const name of ["inertia", "gyrostatic_momentum"]) if (hash.has(name)) table[name] = list(hash.get(name) ?? "");
   for (const name of ["equilibrium", "spin", "orbit", ...Object.keys(MADE)]) if (hash.get(name)) table[name] = hash.get(name);
-  return { table, axes: (hash.get("axes") ?? "").split(",").filter(Boolean) };
+  return { table, axes: (hash.get("axes") ?? "").split(",").filter(Boolean), show: hash.get("show") ?? "",
+    ends: named(Object.fromEntries(ends.map(([name, text]) => [name, text.split(",")])
+      .filter(([, [from, to]]) => Number(from) < Number(to)))) };
 }

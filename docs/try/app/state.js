@@ -4,6 +4,8 @@ import { scene } from "./scene.js";
 
 /** Every kind of question, in the order in which the library is asked. */
 export const KINDS = ["analysed", "decided", "opened", "derived", "copied", "charted", "edges", "moving"];
+/** What is copied that the library writes. */
+const TEXTS = ["latex", "python", "scene"];
 
 /**
  * The question of each kind: null where the page has none, undefined while it is not known yet.
@@ -22,7 +24,7 @@ export function questions(asked, answers, number) {
     decided: whole,
     opened: analysed && !(analysed.open && asked.open.opened) ? null : whole,
     derived: asked.open.derived ? known : null,
-    copied: asked.copying && asked.copying !== "link" ? whole : null,
+    copied: TEXTS.includes(asked.copying) ? whole : null,
     charted,
     edges: charted && edges(standing(answers, "charted", charted), whole, asked, number),
     moving: known };

@@ -1,5 +1,5 @@
 // Motions by extrapolation: Gragg's rule with 2, 4, …, 16 steps, extrapolated to none (Hairer, Nørsett & Wanner,
-// Solving Ordinary Differential Equations I, II.9), the step chosen so that the last two differ by less than asked.
+// Solving Ordinary Differential Equations I, II.9); a step is such that the last two differ by less than asked.
 const ROWS = 8;
 
 /** @typedef {(state: number[]) => number[]} Rate a new array of each state */
@@ -66,6 +66,11 @@ export class Motion {
     while (this.time < time) {
       const last = this.time + this.step >= time, H = last ? time - this.time : this.step;
       const [state, error] = extrapolated(this.rate, this.state, H);
+      if (!state.every(Number.isFinite)) {              // the step was too long, or the motion ends
+        if (H < 1e-12) throw new Error("the motion leaves the numbers");
+        this.step = H / 10;
+        continue;
+      }
       const scale = this.tolerance * Math.max(1, ...state.map(Math.abs));
       const factor = Math.min(4, Math.max(0.1, 0.8 * (scale / (error || 1e-300)) ** (1 / (2 * ROWS - 1))));
       if (error <= scale || H < 1e-12) {
@@ -73,7 +78,6 @@ export class Motion {
         this.time = last ? time : this.time + H;
         if (!last || factor < 1) this.step = H * factor;
       } else this.step = H * factor;
-      if (!state.every(Number.isFinite)) throw new Error("the motion leaves the numbers");
     }
     return this.state;
   }

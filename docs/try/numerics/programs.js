@@ -219,34 +219,3 @@ export class Rows {
     });
   }
 }
-
-// Results at numbers, without their errors. A motion runs a program ten thousand times in a second, so that its steps
-// are told apart by whole numbers.
-const CODES = ["add", "subtract", "multiply", "divide", "negative", "power"];
-
-export function compiled({ steps, results }) {
-  const values = new Float64Array(steps.length), named = steps.flatMap(([operation, name], i) =>
-    operation === "name" ? [[i, name]] : []);
-  steps.forEach(([operation, a], i) => { if (operation === "number") values[i] = a; });
-  const rest = steps.map(([operation, a, b], i) => [i, operation, a, b]).filter(([, operation]) =>
-    operation !== "name" && operation !== "number");
-  const functions = rest.map(([, operation]) => Math[operation]);
-  const codes = Int32Array.from(rest, ([, operation]) => CODES.indexOf(operation));
-  const [to, left, right] = [0, 2, 3].map((n) => Float64Array.from(rest, (step) => step[n] ?? 0));
-  return (numbers) => {
-    for (const [i, name] of named) values[i] = numbers[name];
-    for (let n = 0; n < codes.length; n++) {
-      const a = values[left[n]], b = right[n];
-      switch (codes[n]) {
-        case 0: values[to[n]] = a + values[b]; break;
-        case 1: values[to[n]] = a - values[b]; break;
-        case 2: values[to[n]] = a * values[b]; break;
-        case 3: values[to[n]] = a / values[b]; break;
-        case 4: values[to[n]] = -a; break;
-        case 5: values[to[n]] = a ** b; break;
-        default: values[to[n]] = functions[n](a);
-      }
-    }
-    return results.map((place) => values[place]);
-  };
-}

@@ -1,11 +1,12 @@
-// Solids that stand for a body, in its principal axes: flat faces, seen from outside counterclockwise.
+// Solids that stand for a body, in its principal axes; faces are flat, their corners counterclockwise outside.
+import { combined, cross, unit, UNTURNED, vector } from "../numerics/attitude.js";
 
 /** @typedef {import("../numerics/attitude.js").Vector} Vector */
 
 /**
  * @typedef {object} Face
  * @property {Vector[]} corners
- * @property {number} tone the place of its colour in those of a body or of a wheel
+ * @property {number} tone the place of its colour among those of the body, or of the wheel
  */
 
 /**
@@ -15,119 +16,89 @@
  * @property {Face[]} faces
  */
 
-const REACH = 0.68;                                     // of the farthest point, where axes have the length 1
-const ROUND = 1e-12;                                    // what rounding leaves of a lamina
+const REACH = 0.68;                                     // of the farthest corner; the axes have the length 1
+const ROUND = 1e-12;                                    // what rounding leaves of the thickness of a lamina
 const RINGS = 10, SECTORS = 24, SLICES = 6;
-const ACCENT = 3;                                       // the face at the end of axis 3 has a colour of its own
+const ACCENT = 3;                                       // the face at the end of axis 3 stands out
 
 /**
- * The homogeneous box with these principal moments, 12 I1 = m (b² + c²) of its edges, and so on. No body has moments of
- * which one exceeds the sum of the others; then the ellipsoid of inertia, I1 x² + I2 y² + I3 z² = 1.
+ * The homogeneous box with these principal moments: I1 is proportional to b² + c² of its edges, and so on. No
+ * body has a moment larger than the sum of the others; then the ellipsoid of inertia, I1 x² + I2 y² + I3 z² = 1.
  * @param {number[]} moments positive
  * @returns {Solid}
  */
 export function solid(moments) {
   const sum = moments[0] + moments[1] + moments[2];
   const squares = moments.map((moment) => sum - 2 * moment).map((x) => Math.abs(x) < ROUND * sum ? 0 : x);
-  if (squares.some((x) => x < 0)) {
-    const half = scaled(moments.map((moment) => 1 / Math.sqrt(moment)), Math.max);
-    return { kind: "ellipsoid", half, faces: ellipsoid(half) };
+  if (squares.every((x) => x >= 0)) {
+    const edges = squares.map(Math.sqrt), factor = REACH / Math.hypot(...edges);
+    const half = vector((n) => factor * edges[n]);
+    return { kind: "box", half, faces: box(half) };
   }
-  const half = scaled(squares.map(Math.sqrt), Math.hypot);
-  return { kind: "box", half, faces: box(half) };
-}
-
-/** @param {number[]} lengths @param {(...lengths: number[]) => number} size @returns {Vector} */
-function scaled(lengths, size) {
-  const factor = REACH / size(...lengths);
-  return [lengths[0] * factor, lengths[1] * factor, lengths[2] * factor];
+  const least = Math.min(...moments), half = vector((n) => REACH * Math.sqrt(least / moments[n]));
+  return { kind: "ellipsoid", half, faces: ellipsoid(half) };
 }
 
 /** @param {Vector} half @returns {Face[]} */
 function box(half) {
-  /** @type {Face[]} */
-  const faces = [];
-  for (const axis of [0, 1, 2]) {
-    for (const side of [1, -1]) {
-      const corners = [[1, 1], [-1, 1], [-1, -1], [1, -1]].map(([a, b]) => {
-        const corner = /** @type {Vector} */ ([0, 0, 0]);
-        corner[axis] = side * half[axis];
-        corner[(axis + 1) % 3] = a * half[(axis + 1) % 3];
-        corner[(axis + 2) % 3] = side * b * half[(axis + 2) % 3];
-        return corner;
-      });
-      faces.push({ corners, tone: axis === 2 && side === 1 ? ACCENT : axis });
-    }
-  }
-  return faces;
+  return [0, 1, 2].flatMap((axis) => [1, -1].map((side) => {
+    const corners = [[1, 1], [-1, 1], [-1, -1], [1, -1]].map(([a, b]) =>
+      vector((n) => half[n] * (n === axis ? side : n === (axis + 1) % 3 ? a : side * b)));
+    return { corners, tone: axis === 2 && side === 1 ? ACCENT : axis };
+  }));
 }
 
-/** @param {Vector} half @returns {Face[]} octants in two colours, which show how it turns */
-function ellipsoid([a, b, c]) {
-  /** @type {(ring: number, sector: number) => Vector} */
+/** @param {Vector} half @returns {Face[]} octants by turns in two colours, which show how it turns */
+function ellipsoid(half) {
+  /** @param {number} ring @param {number} sector */
   const point = (ring, sector) => {
     const down = Math.PI * ring / RINGS, round = 2 * Math.PI * sector / SECTORS;
-    return [a * Math.sin(down) * Math.cos(round), b * Math.sin(down) * Math.sin(round), c * Math.cos(down)];
+    const [x, y, z] = [Math.sin(down) * Math.cos(round), Math.sin(down) * Math.sin(round), Math.cos(down)];
+    return vector((n) => half[n] * [x, y, z][n]);
   };
-  /** @type {Face[]} */
-  const faces = [];
-  for (let ring = 0; ring < RINGS; ring++) {
-    for (let sector = 0; sector < SECTORS; sector++) {
-      const corners = [point(ring, sector), point(ring + 1, sector), point(ring + 1, sector + 1), point(ring, sector + 1)];
-      const octant = Math.floor(4 * sector / SECTORS) + (ring < RINGS / 2 ? 0 : 1);
-      faces.push({ corners: ring === 0 ? corners.slice(0, 3) : corners, tone: ring === 0 ? ACCENT : octant % 2 });
-    }
-  }
-  return faces;
+  return Array.from({ length: RINGS * SECTORS }, (_, n) => {
+    const ring = Math.floor(n / SECTORS), sector = n % SECTORS, low = ring < RINGS / 2 ? 0 : 1;
+    const corners = [[0, 0], [1, 0], [1, 1], [0, 1]].map(([down, on]) => point(ring + down, sector + on));
+    const tone = ring ? (Math.floor(4 * sector / SECTORS) + low) % 2 : ACCENT;
+    return { corners: ring ? corners : corners.slice(0, 3), tone };
+  });
 }
 
 /**
- * Where a ray from its centre leaves a solid.
+ * Where a ray from its centre leaves a solid, and what is across its surface there.
  * @param {Solid} solid
- * @param {number[]} direction a unit vector in its axes
- * @returns {{ reach: number, normal: Vector }} the distance, and what is across the surface there
+ * @param {number[]} direction a unit vector
  */
 export function exit({ kind, half }, direction) {
-  const shares = direction.map((x, n) => x === 0 ? 0 : x / half[n]), sizes = shares.map(Math.abs);
+  const shares = vector((n) => direction[n] && direction[n] / half[n]), sizes = shares.map(Math.abs);
   const most = Math.max(...sizes), face = sizes.indexOf(most);
-  /** @type {(entry: (n: number) => number) => Vector} */
-  const vector = (entry) => [entry(0), entry(1), entry(2)];
-  if (kind === "box") return { reach: 1 / most, normal: vector((n) => n === face ? Math.sign(direction[n]) : 0) };
-  return { reach: 1 / Math.hypot(...shares), normal: vector((n) => shares[n] / half[n]) };
+  return kind === "box" ? { reach: 1 / most, normal: vector((n) => n === face ? Math.sign(direction[n]) : 0) }
+    : { reach: 1 / Math.hypot(...shares), normal: vector((n) => shares[n] / half[n]) };
 }
 
 /**
- * A wheel about a direction, inside a solid where it has room, turned by an angle.
+ * A wheel about a direction, inside a solid if it has room there.
  * @param {Solid} solid
- * @param {Vector} axle a unit vector in its axes
- * @param {number} angle right-handed about the axle
+ * @param {Vector} axle a unit vector
+ * @param {number} angle by which it is turned, right-handed
  * @returns {Face[]}
  */
 export function wheel({ half }, axle, angle) {
   const room = half.map((length, n) => length / Math.sqrt(Math.max(1 - axle[n] ** 2, 1e-12)));
   const radius = Math.min(0.5, Math.max(0.8 * Math.min(...room), 0.2)), thick = 0.14 * radius;
-  const quiet = axle.map(Math.abs), least = quiet.indexOf(Math.min(...quiet));
-  const across = [0, 1, 2].map((n) => (n === least ? 1 : 0) - axle[least] * axle[n]), long = Math.hypot(...across);
-  const x = across.map((entry) => entry / long);
-  const y = [axle[1] * x[2] - axle[2] * x[1], axle[2] * x[0] - axle[0] * x[2], axle[0] * x[1] - axle[1] * x[0]];
-  /** @type {(sector: number, side: number, r: number) => Vector} */
+  const quiet = axle.map(Math.abs), x = unit(cross(UNTURNED[quiet.indexOf(Math.min(...quiet))], axle));
+  /** @param {number} sector @param {number} side @param {number} r */
   const point = (sector, side, r) => {
-    const round = angle + 2 * Math.PI * sector / SECTORS, c = r * Math.cos(round), s = r * Math.sin(round);
-    return [c * x[0] + s * y[0] + side * axle[0], c * x[1] + s * y[1] + side * axle[1],
-      c * x[2] + s * y[2] + side * axle[2]];
+    const round = angle + 2 * Math.PI * sector / SECTORS;
+    return combined([x, cross(axle, x), axle], [r * Math.cos(round), r * Math.sin(round), side]);
   };
-  /** @type {Face[]} */
-  const faces = [], wide = SECTORS / SLICES;
-  for (let slice = 0; slice < SLICES; slice++) {
-    const rim = Array.from({ length: wide + 1 }, (_, n) => slice * wide + n);
-    for (const side of [thick, -thick]) {
-      const order = side > 0 ? rim : rim.toReversed();
-      faces.push({ corners: [point(0, side, 0), ...order.map((sector) => point(sector, side, radius))], tone: slice % 2 });
-    }
-    for (const sector of rim.slice(0, wide)) {
-      faces.push({ corners: [point(sector, -thick, radius), point(sector + 1, -thick, radius),
-        point(sector + 1, thick, radius), point(sector, thick, radius)], tone: slice % 2 });
-    }
-  }
-  return faces;
+  const wide = SECTORS / SLICES;
+  return Array.from({ length: SLICES }, (_, slice) => {
+    const rim = Array.from({ length: wide + 1 }, (__, n) => slice * wide + n);
+    const caps = [thick, -thick].map((side) => [point(0, side, 0),
+      ...(side > 0 ? rim : rim.toReversed()).map((sector) => point(sector, side, radius))]);
+    const band = rim.slice(0, wide).map((sector) => [[0, -1], [1, -1], [1, 1], [0, 1]].map(([on, side]) =>
+      point(sector + on, side * thick, radius)));
+    return [...caps, ...band].map((corners) => ({ corners, tone: slice % 2 }));
+  }).flat();
 }
