@@ -23,8 +23,7 @@ from linked import linked
 HERE = Path(__file__).parent
 MODULES = ("session.py", "examples.json")
 SCRIPTS = ("app", "views", "numerics")
-TOOLS = ("package.json", "jsconfig.json", "jsconfig.workers.json", "eslint.config.js")      # of .ci/page
-INTERPRETER = ("pyodide.mjs", "pyodide.asm.mjs", "pyodide.asm.wasm")
+LIST, SERVICE = "files.json", "sw.js"
 
 
 def run(*command: str | Path, where: Path = HERE) -> None:
@@ -49,7 +48,7 @@ def fetched(name: str, source: dict[str, Any], folder: Path) -> Path:
 
 def unpacked(files: dict[str, Path], stage: Path) -> None:
     """The interpreter, KaTeX, and one folder of packages, the library and what asks it among them."""
-    for name in ("pyodide", "katex", "xz"):
+    for name in ("pyodide", "katex", "xz", "binaryen"):
         with tarfile.open(files[name]) as archive:
             archive.extractall(stage / name, filter="data")
     run(sys.executable, "-m", "pip", "wheel", "--quiet", "--no-deps", "--wheel-dir", stage / "wheel",
@@ -62,19 +61,36 @@ def unpacked(files: dict[str, Path], stage: Path) -> None:
     zipfile.ZipFile(stage / "pyodide" / "package" / "python_stdlib.zip").extractall(stage / "python")
 
 
-def stream(stage: Path) -> bytes:
-    """python-flint without its tests, and the archive of all other packages, as one stream.
-
-    It has the length of a list, the list of paths and sizes, the files.
-    """
-    packages = stage / "packages"
-    files = {path.relative_to(packages).as_posix(): path.read_bytes()
+def archives(stage: Path) -> dict[str, dict[str, bytes]]:
+    """What the page unpacks before it answers: the interpreter; python-flint; all other packages."""
+    pyodide, packages = stage / "pyodide" / "package", stage / "packages"
+    lock = json.loads((pyodide / "pyodide-lock.json").read_text(encoding="utf-8"))
+    python = {name: (pyodide / name).read_bytes() for name in ("pyodide.asm.mjs", "pyodide.asm.wasm")}
+    python |= {"python.zip": (stage / "python.zip").read_bytes(),
+               "pyodide-lock.json": json.dumps({**lock, "packages": {}}).encode()}
+    flint = {path.relative_to(packages).as_posix(): path.read_bytes()
              for folder in ("flint", "python_flint.libs") for path in sorted((packages / folder).rglob("*"))
-             if path.suffix in (".so", ".py") and "test" not in path.parts}
-    files |= linked({name: data for name, data in files.items() if name.endswith(".so")})
-    files["packages.zip"] = (stage / "packages.zip").read_bytes()
+             if path.suffix in (".so", ".py")}
+    for name, data in linked({name: data for name, data in flint.items() if name.endswith(".so")}).items():
+        flint[name] = reachable(data, stage) if "libs/" in name else data
+    return {"python": python, "flint": flint,
+            "packages": {"packages.zip": (stage / "packages.zip").read_bytes()}}
+
+
+def reachable(library: bytes, stage: Path) -> bytes:
+    """A library without the functions that its exports do not call, by Binaryen."""
+    before, after = stage / "before.wasm", stage / "after.wasm"
+    before.write_bytes(library)
+    run("node", stage / "binaryen" / "package" / "bin" / "wasm-opt", "--remove-unused-module-elements",
+        before, "-o", after)
+    return after.read_bytes()
+
+
+def stream(files: dict[str, bytes]) -> bytes:
+    """Files as one stream: the length of a list, the list of paths and sizes, the files."""
     listed = json.dumps([[name, len(data)] for name, data in files.items()]).encode()
-    return lzma.compress(len(listed).to_bytes(4, "little") + listed + b"".join(files.values()))
+    return lzma.compress(len(listed).to_bytes(4, "little") + listed + b"".join(files.values()),
+                         preset=9 | lzma.PRESET_EXTREME)
 
 
 def module(script: str) -> str:
@@ -94,28 +110,36 @@ def built(target: Path, stage: Path) -> None:
     runtime = target / "runtime"
     runtime.mkdir(parents=True)
     run("node", HERE / "compile.mjs", stage, HERE / "compiled.py")
-    shutil.copy(stage / "python.zip", runtime)
-    (runtime / "packages.xz").write_bytes(stream(stage))
+    for name, files in archives(stage).items():
+        (runtime / f"{name}.xz").write_bytes(stream(files))
     script = stage / "xz" / "package" / "dist" / "package" / "xz-decompress.min.js"
     (runtime / "xz.js").write_text(module(script.read_text(encoding="utf-8")), encoding="utf-8")
-    for name in INTERPRETER:
-        shutil.copy(stage / "pyodide" / "package" / name, runtime)
-    lock = json.loads((stage / "pyodide" / "package" / "pyodide-lock.json").read_text(encoding="utf-8"))
-    (runtime / "pyodide-lock.json").write_text(json.dumps({**lock, "packages": {}}), encoding="utf-8")
+    shutil.copy(stage / "pyodide" / "package" / "pyodide.mjs", runtime)
     katex = stage / "katex" / "package" / "dist"
     (target / "katex" / "fonts").mkdir(parents=True)
     for path in (katex / "katex.min.js", katex / "katex.min.css", *katex.glob("fonts/*.woff2")):
         shutil.copy(path, target / "katex" / path.relative_to(katex))
     shipped(stage, sources, target / "licences")
+    for folder in ("prepared", "pictures"):
+        shutil.copytree(stage / folder, target / folder)
     for folder in SCRIPTS:
         shutil.copytree(HERE / folder, target / folder)
     for path in HERE.iterdir():
-        if path.suffix in (".html", ".css", ".js", ".json") and path.name not in TOOLS:
+        if path.suffix in (".html", ".css") or path.name == "examples.json":
             shutil.copy(path, target)
-    listed = {path.relative_to(target).as_posix(): _listed(path)
-              for path in sorted(target.rglob("*")) if path.is_file()}
-    (target / "files.json").write_text(json.dumps(listed, indent=1), encoding="utf-8")
-    print(f"try: {len(listed)} files, {sum(entry['bytes'] for entry in listed.values()) / 1e6:.1f} MB")
+    print(f"try: {listed(target)}")
+
+
+def listed(target: Path) -> str:
+    """Write the list of the files, and the service worker that keeps them; say how many there are."""
+    for name in (LIST, SERVICE):
+        (target / name).unlink(missing_ok=True)
+    files = {path.relative_to(target).as_posix(): _listed(path)
+             for path in sorted(target.rglob("*")) if path.is_file()}
+    (target / LIST).write_text(json.dumps(files, indent=1), encoding="utf-8")
+    worker, version = (HERE / SERVICE).read_text(encoding="utf-8"), _listed(target / LIST)["integrity"]
+    (target / SERVICE).write_text(worker.replace("{version}", str(version)), encoding="utf-8")
+    return f"{len(files)} files, {sum(int(entry['bytes']) for entry in files.values()) / 1e6:.1f} MB"
 
 
 def _listed(path: Path) -> dict[str, str | int]:

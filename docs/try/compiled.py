@@ -63,9 +63,9 @@ def used() -> set[str]:
     return answering | {name.replace(".", "/") for name in loaded if name.split(".")[0] != "flint"}
 
 
-def archive(folder: Path, packages: set[str], target: Path, method: int) -> None:
+def archive(folder: Path, packages: set[str], target: Path) -> None:
     """Every module of the packages, compiled, and the other files beside them as they are."""
-    with zipfile.ZipFile(target, "w", method, compresslevel=9) as out:
+    with zipfile.ZipFile(target, "w") as out:
         for path in sorted(folder.rglob("*")):
             name = path.relative_to(folder).as_posix()
             if path.parent.relative_to(folder).as_posix().removeprefix(".") not in packages:
@@ -73,12 +73,12 @@ def archive(folder: Path, packages: set[str], target: Path, method: int) -> None
             if path.suffix == ".py":
                 tree = without_docstrings(ast.parse(path.read_text(encoding="utf-8")))
                 code = compile(tree, name, "exec", dont_inherit=True)
-                out.writestr(zipfile.ZipInfo(f"{name}c"), HEADER + marshal.dumps(without_lines(code)), method)
+                out.writestr(zipfile.ZipInfo(f"{name}c"), HEADER + marshal.dumps(without_lines(code)))
             elif path.is_file() and path.suffix not in (".so", ".pyi", ".pyx", ".pxd"):
-                out.writestr(zipfile.ZipInfo(name), path.read_bytes(), method)
+                out.writestr(zipfile.ZipInfo(name), path.read_bytes())
 
 
 if __name__ == "__main__":
     kept = used() | {""}
-    archive(STAGE / "python", kept, STAGE / "python.zip", zipfile.ZIP_DEFLATED)
-    archive(STAGE / "packages", kept, STAGE / "packages.zip", zipfile.ZIP_STORED)    # compressed as a whole
+    archive(STAGE / "python", kept, STAGE / "python.zip")
+    archive(STAGE / "packages", kept, STAGE / "packages.zip")

@@ -35,7 +35,7 @@ def test_a_link_leads_to_the_licence_of_everything(page, context, address):
 
 def test_each_library_of_the_archive_is_a_part():
     """The table names the version of each as its wheel has it."""
-    stream = lzma.decompress((FOLDER / "runtime" / "packages.xz").read_bytes())
+    stream = lzma.decompress((FOLDER / "runtime" / "flint.xz").read_bytes())
     length = 4 + int.from_bytes(stream[:4], "little")
     shipped = {Path(name).name for name, _ in json.loads(stream[4:length])
                if name.startswith("python_flint.libs/")}

@@ -11,7 +11,7 @@ FILES = ["files.json", *json.loads((FOLDER / "files.json").read_text(encoding="u
 FONTS = [name for name in FILES if name.endswith(".woff2")]
 FILES = [name for name in FILES if name not in FONTS and name != "index.html"
          and not name.startswith("licences/")]
-OF_PYTHON = ("runtime/", "worker.js", "files.json")     # what is missed before Python runs
+OF_PYTHON = ("runtime/", "app/worker.js", "app/unpacker.js", "files.json")  # missed before Python runs
 SAID = {"katex/katex.min.js": "katex.min.js could not be loaded", "try.css": "try.css could not be loaded",
         "katex/katex.min.css": "katex.min.css could not be loaded", "numerics/regions.js": "The chart failed",
         "examples.json": "examples.json could not be loaded", "chart-worker.js": "The chart failed"}

@@ -77,7 +77,7 @@ def test_links_keep_what_an_equilibrium_is_made_with(page, context):
     other.close()
 
 
-@pytest.mark.parametrize("count", [60, pytest.param(200, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("count", [60, pytest.param(600, marks=pytest.mark.slow)])
 def test_random_scenes_have_the_librarys_answers(page, count):
     """Character by character; most of them are answers, not refusals."""
     questions = [{"want": want, "scene": drawn_scene(n)} for n in range(count)

@@ -4,11 +4,19 @@ const SIMPLER = "Write it more simply, or use the library on your own machine, w
 const LATE = { error: `This took longer than ${LIMIT} s and was ended. ${SIMPLER}` };
 const LOST = { lost: true, error: "The library is not running, see the top of this page." };
 
+/**
+ * @typedef {import("./answers.js").Answer} Answer
+ * @typedef {(answer: Answer | null) => void} Resolve
+ * @typedef {import("./progress.js").News & { failed?: string }} News failed where the library could not be started
+ */
+
 export class Analyser {
-  // told: {step}, {ready}, {failed} where the library could not be started
+  /** @param {(news: News) => void} told */
   constructor(told) {
     this.told = told;
+    /** @type {Map<string, { resolve: Resolve, question: string }>} */
     this.waiting = new Map();
+    /** @type {{ id: number, resolve: Resolve, late: ReturnType<typeof setTimeout> } | null} */
     this.asked = null;
     this.count = 0;
     this.start();
@@ -24,7 +32,13 @@ export class Analyser {
     };
   }
 
-  // The answer, with error where there is none; null where a newer question of the same kind took its place.
+  /**
+   * The answer, with error where there is none; null where a newer question of the same kind took its place.
+   * @param {string} want
+   * @param {any} scene
+   * @param {any[]} more
+   * @returns {Promise<Answer | null>}
+   */
   ask(want, scene, more = []) {
     if (this.lost) return Promise.resolve(LOST);
     this.waiting.get(want)?.resolve(null);
@@ -41,20 +55,22 @@ export class Analyser {
     this.waiting.delete(want);
     const late = setTimeout(() => this.again(LATE), LIMIT * 1000);
     this.asked = { id: ++this.count, resolve, late };
-    this.worker.postMessage({ id: this.count, question });
+    this.worker?.postMessage({ id: this.count, question });
   }
 
+  /** @param {News & { id?: number, answer?: string }} message */
   heard({ id, answer, failed, ...news }) {
     if (failed) return this.failed(failed);
     if (id === undefined) {
       this.ready = this.ready || Boolean(news.ready);
       this.told(news);
     } else if (id === this.asked?.id) {
-      this.done(JSON.parse(answer));
+      this.done(JSON.parse(answer ?? ""));
     }
     this.next();
   }
 
+  /** @param {Answer} answer */
   done(answer) {
     const { resolve, late } = this.asked ?? {};
     clearTimeout(late);
@@ -62,18 +78,19 @@ export class Analyser {
     resolve?.(answer);
   }
 
-  // What fails at a question is started again; what fails at its start would fail again.
+  /** What fails at a question is started again; what fails at its start would fail again. @param {string} message */
   failed(message) {
     if (this.ready) return this.again({ error: `The computation failed (${message}). ${SIMPLER}` });
-    this.worker.terminate();
+    this.worker?.terminate();
     this.lost = true;
     this.told({ failed: message });
     for (const { resolve } of this.waiting.values()) resolve(LOST);
     this.waiting.clear();
   }
 
+  /** @param {Answer} answer */
   again(answer) {
-    this.worker.terminate();
+    this.worker?.terminate();
     this.start();
     this.done(answer);
   }

@@ -7,6 +7,7 @@
  * @property {string} asked the question, as a text
  * @property {any} question
  * @property {Answer} answer
+ * @property {string} [prepared] where it was prepared, and the library has not confirmed it: the question as it was sent
  */
 
 /** @param {any} question */
@@ -19,9 +20,13 @@ export class Answers {
    * @param {() => void} settled called when an answer has come
    * @param {Record<string, (found: Answer, question: any) => any>} named of some kinds: takes note of an answer, and
    *   returns its question by its full name
+   * @param {(kind: string, question: any) => Promise<Answer | undefined>} prepared an answer that is there before
+   * @param {(kind: string) => void} differed called when the library answers otherwise
    */
-  constructor(ask, settled, named = {}) {
+  constructor(ask, settled, named = {}, prepared = async () => undefined, differed = () => {}) {
     this.ask = ask;
+    this.prepared = prepared;
+    this.differed = differed;
     this.settled = settled;
     this.named = named;
     /** @type {Record<string, string | null | undefined>} */
@@ -69,16 +74,51 @@ export class Answers {
   }
 
   /**
+   * What was prepared is shown until the library has answered, which confirms it or takes its place.
    * @param {string} kind
    * @param {string} asked
    * @param {any} question
    */
   async send(kind, asked, question) {
-    const answer = await this.ask[kind](question);
-    if (!answer || asked !== this.asked[kind] || !this.waiting(kind)) return;
+    this.prepared(kind, question).then((answer) => {
+      if (answer) this.take(kind, asked, question, answer, asked);
+    });
+    const answer = await this.ask[kind](question), early = this.answered[kind];
+    if (!answer) return;
+    if (early?.prepared !== asked) this.take(kind, asked, question, answer);
+    else if (key(answer) === key(early.answer)) this.confirm(early);
+    else if (!answer.lost) this.replace(kind, early, answer);
+  }
+
+  /**
+   * @param {string} kind
+   * @param {string} asked
+   * @param {any} question
+   * @param {Answer} answer
+   * @param {string} [prepared]
+   */
+  take(kind, asked, question, answer, prepared) {
+    if (asked !== this.asked[kind] || !this.waiting(kind)) return;
     const full = this.named[kind]?.(answer, question) ?? question;
     this.asked[kind] = key(full);
-    this.answered[kind] = { asked: key(full), question: full, answer };
+    this.answered[kind] = { asked: key(full), question: full, answer, prepared };
+    this.settled();
+  }
+
+  /** @param {Answered} early */
+  confirm(early) {
+    delete early.prepared;
+    this.settled();
+  }
+
+  /**
+   * @param {string} kind
+   * @param {Answered} early
+   * @param {Answer} answer
+   */
+  replace(kind, early, answer) {
+    this.answered[kind] = { ...early, answer, prepared: undefined };
+    this.differed(kind);
     this.settled();
   }
 

@@ -9,16 +9,16 @@ import { cards } from "./cards.js";
 import { copied } from "./copies.js";
 import { Form } from "./form.js";
 import { Entries } from "./history.js";
+import { keep } from "./kept.js";
 import { Modes } from "./modes.js";
 import { lost, notice, reload } from "./notices.js";
 import { possible } from "./numbers.js";
+import { library } from "./prepared.js";
+import { progress } from "./progress.js";
 import { link, linked, nothing, numbered, scene, taken } from "./scene.js";
 import { Sharing } from "./sharing.js";
 import { KINDS, questions } from "./state.js";
 
-const STEPS = ["interpreter", "packages", "library", "ready"];
-const SAID = { interpreter: "Python is loading", packages: "SymPy and python-flint are loading",
-  library: "the library is loading", ready: "ready" };
 const SOON = 60;                                        // milliseconds before the boundary of a chart is asked for
 const at = (id) => document.getElementById(id);
 
@@ -32,7 +32,8 @@ const analyser = new Analyser(told);
 const asks = Object.fromEntries(KINDS.map((kind) => [kind, (question) => analyser.ask(kind, question)]));
 const answers = new Answers({ ...asks,
   charted: ({ scene, axes }) => analyser.ask("charted", scene, [axes]),
-  edges: ({ scene, axes, ends }) => analyser.ask("edges", scene, [axes, ends]) }, update, { analysed });
+  edges: ({ scene, axes, ends }) => analyser.ask("edges", scene, [axes, ends]) }, update, { analysed },
+  library(async () => examples, (n) => json(`prepared/${n}.json`)), differed);
 const form = new Form(asked, changed, picked);
 const chart = new Chart(at("charted"), asked, answers, set, update);
 const nearby = new Nearby(at("nearby"), asked, answers, changed, update);
@@ -67,7 +68,15 @@ function update(pause = 0) {
     ? `${asked.axes.map((name) => `${name} = ${question.values[name]}`).join(", ")}: ${word(answer.verdict)}` : "";
   entries.follow(link(asked));
   modes.follow();
+  at("early").hidden = !KINDS.some((kind) => answers.of(kind) && answers.answered[kind].prepared);
   sharing.follow(mark());
+}
+
+// A library that answers otherwise than when the page was built.
+function differed(kind) {
+  console.error(`prepared answer differs: ${kind}`);
+  notice("prepared", "An answer that was computed when this page was built was not the library's; the library's is shown.",
+    ...reload);
 }
 
 // An answer to another question than the page's is gone if the scene is another, and pale if the numbers are. Whether
@@ -119,12 +128,12 @@ function restore({ table, axes = [], ends = {} }) {
   answers.forget("analysed");
 }
 
-function told({ step, ready, failed }) {
-  at("starting").hidden = Boolean(ready || failed);
-  if (!failed) {
-    at("progress").value = STEPS.indexOf(step ?? "ready");
-    at("status").textContent = SAID[step ?? "ready"];
-  }
+function told({ failed, ...news }) {
+  const { share, text } = progress(news);
+  at("starting").hidden = Boolean(news.ready || failed);
+  at("progress").value = share ?? at("progress").value;
+  if (!failed) at("status").textContent = text;
+  if (news.version) keep(news.version);
   const why = navigator.onLine ? `${failed}). A file is not on the server, or this browser is too old for it`
     : "the network is not there). It starts again when the network is back";
   notice("library", failed && `The library could not be started (${why}. What is typed stays; the library runs on your own `
@@ -133,7 +142,7 @@ function told({ step, ready, failed }) {
 
 function again() {
   for (const kind of KINDS) if (answers.answered[kind]?.answer.lost) answers.forget(kind);
-  told({ step: STEPS[0] });
+  told({});
   analyser.start();
   update();
 }
@@ -150,6 +159,12 @@ for (const [id, kind] of [["opened", "opened"], ["derivation", "derived"]]) {
     asked.open[kind] = at(id).open;
     update();
   };
+}
+
+async function json(address) {
+  const response = await fetch(address);
+  if (!response.ok) throw new Error(response.status);
+  return response.json();
 }
 
 // What the address says, or the first example.
@@ -169,9 +184,7 @@ else window.onload = checked;
 window.onhashchange = arrive;
 window.ononline = () => { if (analyser.lost) again(); };
 try {
-  const response = await fetch("examples.json");
-  if (!response.ok) throw new Error(response.status);
-  examples = await response.json();
+  examples = await json("examples.json");
 } catch {
   lost("examples.json", "there is no example to pick; all else works.");
 }

@@ -1,74 +1,111 @@
-// The library in a thread of its own: Python, its packages from the files that files.json lists, then answers.
-import { loadPyodide } from "../runtime/pyodide.mjs";
-import "../runtime/xz.js";
+// The library in a thread of its own: Python, its packages from the archives that files.json lists, then answers.
 
+// What an archive of the runtime brings, in the words of the page.
+const PARTS = { "runtime/python.xz": "Python", "runtime/flint.xz": "FLINT", "runtime/packages.xz": "SymPy" };
+
+/** @param {string} step */
 const say = (step) => postMessage({ step });
-const fail = (error) => postMessage({ failed: error.message });
+/** @param {any} error */
+const fail = (error) => postMessage({ failed: error.message ?? String(error) });
 
 // Pyodide waits without end for a file of its own that does not come: whatever fails here ends the start.
 self.onunhandledrejection = ({ reason }) => fail(reason);
-const fetched = self.fetch.bind(self);
-self.fetch = async (address, options) => {
-  const name = new URL(address.url ?? address, self.location).pathname.split("/").at(-1);
-  const response = await fetched(address, options).catch((error) => error);
-  if (response.ok) return response;
-  const error = new Error(`${name}: ${response.status ?? "it did not come, or not whole"}`);
-  fail(error);
-  throw error;
-};
 const compile = WebAssembly.instantiateStreaming;
 WebAssembly.instantiateStreaming = (...given) => compile(...given).catch((error) => {
   fail(error);
   throw error;
 });
 
-// A file that is listed, decompressed; where the browser lets a page keep something, it is kept so.
-async function unpacked(files, name) {
-  const { integrity } = files[name], address = `../${name}?${integrity.slice(7, 15)}`;
-  const store = await self.caches?.open("gyrostat").catch(() => undefined);
-  const kept = await store?.match(address);
-  if (kept) return kept.arrayBuffer();
-  const response = await fetch(address, { integrity });
-  const { XzReadableStream } = self["xz-decompress"];
-  const data = await new Response(new XzReadableStream(response.body)).arrayBuffer();
-  keep(store, address, data.slice()).catch(() => {});   // a browser that is full starts without
-  return data;
+/** @typedef {{ name: string, got: number, of: number }} Part how many bytes of a part have come */
+
+/**
+ * Each archive of the runtime, by its name; what has come of them is told on the way.
+ * @param {Record<string, { bytes: number, integrity: string }>} files
+ */
+function archives(files) {
+  /** @type {Part[]} */
+  const parts = Object.entries(PARTS).map(([file, name]) => ({ name, got: 0, of: files[file].bytes }));
+  const tell = () => postMessage({ parts });
+  tell();
+  return Object.keys(PARTS).map((name, n) => new Promise((resolve, reject) => {
+    const unpacker = new Worker(new URL("unpacker.js", import.meta.url), { type: "module" });
+    unpacker.onerror = (event) => {
+      event.preventDefault();
+      reject(new Error(event.message || "unpacker.js: it did not come"));
+    };
+    unpacker.onmessage = ({ data: { got, data, failed } }) => {
+      if (failed) return reject(new Error(failed));
+      parts[n].got = data ? parts[n].of : got;
+      tell();
+      if (data) resolve(placed(data));
+    };
+    unpacker.postMessage({ name, integrity: files[name].integrity });
+  }));
 }
 
-// One file, the newest.
-async function keep(store, address, data) {
-  for (const old of await store.keys()) await store.delete(old);
-  await store.put(address, new Response(data));
-}
-
-// The files of a stream that build.py wrote: the length of a list, the list of paths and sizes, their bytes.
-function placed(FS, folder, stream) {
-  let at = 4 + new DataView(stream).getUint32(0, true);
-  for (const [path, size] of JSON.parse(new TextDecoder().decode(new Uint8Array(stream, 4, at - 4)))) {
-    const file = `${folder}/${path}`;
-    FS.mkdirTree(file.slice(0, file.lastIndexOf("/")));
-    FS.writeFile(file, new Uint8Array(stream, at, size), { canOwn: true });
+/**
+ * The files of an archive that build.py wrote: the length of a list, the list of paths and sizes, their bytes.
+ * @param {ArrayBuffer} data
+ * @returns {Map<string, Uint8Array>}
+ */
+function placed(data) {
+  let at = 4 + new DataView(data).getUint32(0, true);
+  const found = new Map();
+  for (const [path, size] of JSON.parse(new TextDecoder().decode(new Uint8Array(data, 4, at - 4)))) {
+    found.set(path, new Uint8Array(data, at, size));
     at += size;
   }
+  return found;
+}
+
+/** Python, from the files of its archive, which it asks for by their names. @param {Map<string, Uint8Array>} runtime */
+async function interpreter(runtime) {
+  const fetched = self.fetch.bind(self);
+  self.fetch = async (address, options) => {
+    const asked = /** @type {any} */ (address).url ?? String(address);
+    const data = runtime.get(asked.slice(asked.lastIndexOf("/") + 1));
+    if (!data) return fetched(address, options);
+    const type = asked.endsWith(".wasm") ? "application/wasm" : "application/zip";
+    return new Response(/** @type {BodyInit} */ (data), { headers: { "Content-Type": type } });
+  };
+  /** @param {string} name */
+  const bytes = (name) => /** @type {BlobPart} */ (runtime.get(name));
+  const script = URL.createObjectURL(new Blob([bytes("pyodide.asm.mjs")], { type: "text/javascript" }));
+  const [{ loadPyodide }, { default: createPyodideModule }] = await Promise.all([
+    import(new URL("../runtime/pyodide.mjs", import.meta.url).href), import(script)]);
+  return loadPyodide({ createPyodideModule, stdLibURL: new URL("../runtime/python.zip", import.meta.url).href,
+    lockFileContents: new TextDecoder().decode(runtime.get("pyodide-lock.json")) });
+}
+
+/** @param {BufferSource} data */
+async function hash(data) {
+  const found = await self.crypto.subtle?.digest("SHA-256", data);
+  return found && `sha256-${btoa(String.fromCharCode(...new Uint8Array(found)))}`;
 }
 
 async function started() {
-  const files = await (await fetch("../files.json", { cache: "no-cache" })).json();
-  const packages = unpacked(files, "runtime/packages.xz");
-  say("interpreter");
-  const python = await loadPyodide({ stdLibURL: new URL("../runtime/python.zip", self.location).href });
+  const response = await fetch("../files.json", { cache: "no-cache" }).catch(() => undefined);
+  if (!response?.ok) throw new Error(`files.json: ${response?.status ?? "it did not come"}`);
+  const list = await response.arrayBuffer();
+  const [runtime, ...packages] = archives(JSON.parse(new TextDecoder().decode(list)));
+  const version = await hash(list);
+  const python = await interpreter(await runtime);
   say("packages");
-  placed(python.FS, "/packages", await packages);
+  for (const [path, data] of (await Promise.all(packages)).flatMap((files) => [...files])) {
+    const file = `/packages/${path}`;
+    python.FS.mkdirTree(file.slice(0, file.lastIndexOf("/")));
+    python.FS.writeFile(file, data, { canOwn: true });
+  }
   python.runPython('import sys; sys.path[:0] = ["/packages", "/packages/packages.zip"]');
   say("library");
-  return python.pyimport("session").answer;
+  return { answer: python.pyimport("session").answer, version };
 }
 
 try {
-  const answer = await started();
+  const { answer, version } = await started();
   self.onunhandledrejection = null;
   onmessage = ({ data: { id, question } }) => postMessage({ id, answer: answer(question) });
-  postMessage({ ready: true });
+  postMessage({ ready: true, version });
 } catch (error) {
   fail(error);
 }

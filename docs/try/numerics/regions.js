@@ -3,32 +3,59 @@ import { Rows, SLACK } from "./programs.js";
 
 export const STABLE = 1, UNSTABLE = 2, OPEN = 3, NOWHERE = 4, UNKNOWN = 0;
 
-// A disjunction of conjunctions of conditions: 1, -1, or 0 for unknown. signs: of each place 1, -1, 0; a strict
-// condition needs its even factors too, one that is not is met where one of them may be 0.
+/**
+ * A condition: the places of its margin and of its even factors.
+ * @typedef {{ margin: number, strict: boolean, degenerate: number[] }} Condition
+ */
+/**
+ * What decides in the plane of two names: what must be positive, and the two criteria.
+ * @typedef {{ steps: import("./programs.js").Step[], positive: number[], sufficient: Condition[][],
+ *   necessary: Condition[][] }} Chart
+ */
+/** @typedef {[from: number, to: number]} Ends */
+
+/**
+ * A disjunction of conjunctions of conditions: 1, -1, or 0 for unknown. A strict condition needs its even factors too,
+ * one that is not is met where one of them may be 0.
+ * @param {Condition[][]} alternatives
+ * @param {Map<number, number>} signs of each place 1, -1, 0
+ */
 function criterion(alternatives, signs) {
   return Math.max(-1, ...alternatives.map((conditions) => Math.min(1, ...conditions.map(
     ({ margin, strict, degenerate }) => {
-      const factors = degenerate.map((place) => Math.abs(signs.get(place)));
-      return strict ? Math.min(signs.get(margin), ...factors)
-        : factors.includes(0) ? Math.max(signs.get(margin), 0) : signs.get(margin);
+      const sign = signs.get(margin) ?? 0, factors = degenerate.map((place) => Math.abs(signs.get(place) ?? 0));
+      return strict ? Math.min(sign, ...factors) : factors.includes(0) ? Math.max(sign, 0) : sign;
     }))));
 }
 
-// One code for each pixel, the lowest row first; ends are those of the pixels' centres.
+/** One code for each pixel, the lowest row first. */
 export class Regions {
+  /**
+   * @param {Chart} chart
+   * @param {string[]} axes the names across and upwards
+   * @param {number} size pixels of a row, and rows
+   */
   constructor(chart, axes, size) {
-    Object.assign(this, { chart, axes, size });
+    this.chart = chart;
+    this.axes = axes;
+    this.size = size;
     this.rows = new Rows(chart.steps, axes, size);
     this.codes = new Uint8Array(size * size);
     const asked = [...chart.sufficient, ...chart.necessary].flat().flatMap((c) => [c.margin, ...c.degenerate]);
     this.places = [...new Set([...chart.positive, ...asked])];
     this.next = [-1, -1, -1];                           // a tree of the signs met: after node n, of -1, 0 and 1
+    /** @type {number[]} */
     this.meaning = [];                                  // of its leaves the codes
     this.node = new Int32Array(size);
   }
 
+  /**
+   * @param {Record<string, number>} numbers of the other names
+   * @param {Ends[]} ends of the axes; a pixel stands for its centre
+   */
   drawn(numbers, [[left, right], [low, high]]) {
     const { rows, size, codes } = this;
+    /** @type {(from: number, to: number) => Float64Array} */
     const place = (from, to) => Float64Array.from({ length: size }, (_, n) => from + (to - from) * (n + 0.5) / size);
     rows.begin({ ...numbers, [this.axes[0]]: place(left, right) }, Math.max(Math.abs(low), Math.abs(high)));
     place(low, high).forEach((y, n) => {
@@ -45,7 +72,11 @@ export class Regions {
     return codes;
   }
 
-  // The codes of a row, from an error of each value or from one of all.
+  /**
+   * The codes of a row.
+   * @param {Uint8Array} row
+   * @param {boolean} each whether each value has an error of its own
+   */
   coded(row, each) {
     const { node, places, meaning } = this;
     node.fill(0);
@@ -53,7 +84,11 @@ export class Regions {
     for (let i = 0; i < row.length; i++) row[i] = meaning[node[i]] ?? (meaning[node[i]] = this.code(node[i]));
   }
 
-  // One step down the tree, by the sign at a place.
+  /**
+   * One step down the tree, by the sign at a place.
+   * @param {number} place
+   * @param {boolean} each
+   */
   follow(place, each) {
     const { rows: { values, errors, bounds }, node, next } = this;
     const value = values[place], error = each ? errors[place] : [bounds[place]];
@@ -69,9 +104,14 @@ export class Regions {
     }
   }
 
-  // What a leaf means, whose signs are those on the way to it.
+  /**
+   * What a leaf means, whose signs are those on the way to it.
+   * @param {number} leaf
+   */
   code(leaf) {
-    const { chart, places, next } = this, signs = new Map();
+    const { chart, places, next } = this;
+    /** @type {Map<number, number>} */
+    const signs = new Map();
     for (const place of places.toReversed()) {
       const branch = next.indexOf(leaf);
       signs.set(place, branch % 3 - 1);

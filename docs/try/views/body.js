@@ -9,7 +9,13 @@ import { turning } from "./hands.js";
 
 const PATIENCE = 150;                                   // milliseconds of an old verdict on the path
 const WORK = 4;                                         // milliseconds of a frame for what is to come
+const READ = 100;                                       // milliseconds in which numbers are read
 const FRAME = 1000 / 60, LONGEST = 3;                   // milliseconds; as many frames a slow one makes good
+
+/** @param {Element} place @param {string} text */
+function say(place, text) {
+  if (place.textContent !== text) place.textContent = text;
+}
 
 export class Nearby {
   /**
@@ -17,7 +23,7 @@ export class Nearby {
    * @param {import("../app/scene.js").Asked} asked
    * @param {import("../app/answers.js").Answers} answers
    * @param {() => void} changed called when a number is set
-   * @param {() => void} settled called when something has come
+   * @param {() => void} settled called when the motion is to begin otherwise
    */
   constructor(place, asked, answers, changed, settled) {
     /** @type {(name: string) => any} */
@@ -25,7 +31,6 @@ export class Nearby {
     this.asked = asked;
     this.answers = answers;
     this.changed = changed;
-    this.settled = settled;
     this.canvas = find("canvas");
     this.button = find("button");
     this.more = find("#more");
@@ -42,9 +47,8 @@ export class Nearby {
     /** @type {string | null} */
     this.started = null;
     this.reading = false;
-    this.current = true;
     this.seen = true;
-    this.frame = 0;
+    this.size = this.frame = this.told = 0;
     /** @type {ReturnType<typeof setTimeout> | undefined} */
     this.old = undefined;
     const push = find("#push");
@@ -55,7 +59,10 @@ export class Nearby {
     new IntersectionObserver((entries) => {
       this.seen = entries[entries.length - 1].isIntersecting;
     }).observe(this.canvas);
-    new ResizeObserver(() => this.draw()).observe(this.canvas);
+    new ResizeObserver((entries) => {
+      this.size = Math.round(entries[entries.length - 1].contentRect.width);
+      this.draw();
+    }).observe(this.canvas);
     this.button.onclick = () => this.run(!this.running);
     this.dark = matchMedia("(prefers-color-scheme: dark)");
     this.dark.onchange = () => this.draw();
@@ -66,7 +73,7 @@ export class Nearby {
 
   // Whether the motion is of another scene than the page's, or of other numbers.
   get waiting() {
-    return this.answers.waiting("moving") || this.reading || !this.current;
+    return this.answers.waiting("moving") || this.reading;
   }
 
   get colours() {
@@ -133,7 +140,6 @@ export class Nearby {
 
   stop() {
     this.started = null;
-    this.current = true;                                // there is nothing to be drawn
     this.moved.rest();
     cancelAnimationFrame(this.frame);
   }
@@ -144,19 +150,18 @@ export class Nearby {
     if (!numbers) this.stop();
     const why = numbers ? moved.restart(numbers, Number(this.asked.push))
       : moved.refused || "a motion needs numbers, and possible ones";
-    this.why.textContent = why;
+    say(this.why, why);
+    say(this.caption, moved.caption());
     this.drawn.hidden = !moved.body;
     this.button.hidden = !moved.flight;
-    this.caption.textContent = moved.caption();
-    this.state.textContent = moved.said();
-    this.current = !moved.body;
+    this.draw();                                        // also what is out of sight, which may come into it
     this.run(this.running);
   }
 
   /** A picture for each frame while it runs, or until it is whole. @param {boolean} on */
   run(on) {
     this.running = on;
-    this.button.textContent = on ? "Pause" : "Go on";
+    say(this.button, on ? "Pause" : "Go on");
     cancelAnimationFrame(this.frame);
     /** @type {number | undefined} */
     let last;
@@ -168,12 +173,12 @@ export class Nearby {
           if (this.running) this.moved.step(Math.min(LONGEST, last ? (now - last) / FRAME : 1));
           const until = performance.now() + WORK;
           whole = this.moved.foresee(() => performance.now() > until);
+          this.draw();
         }
         last = now;
-        if (this.seen || !this.current) this.draw();    // what is out of sight may come into it
       } catch (error) {
         this.moved.flight = null;
-        this.why.textContent = /** @type {Error} */ (error).message;
+        say(this.why, /** @type {Error} */ (error).message);
         this.button.hidden = true;
       }
       if (this.moved.flight && (this.running || !whole)) this.frame = requestAnimationFrame(next);
@@ -188,17 +193,14 @@ export class Nearby {
   }
 
   draw() {
-    const { canvas, context, picture } = this, sharp = devicePixelRatio, size = canvas.clientWidth;
-    if (!picture) return;
-    if (!this.current) {
-      this.current = true;
-      this.settled();
-    }
-    if (!size) return;                                  // nothing of the page is shown here
+    const { canvas, context, picture, size } = this, sharp = devicePixelRatio;
+    if (!picture || !size) return;
     if (canvas.width !== Math.round(size * sharp)) canvas.width = canvas.height = Math.round(size * sharp);
     context.setTransform(sharp, 0, 0, sharp, 0, 0);
     context.clearRect(0, 0, size, size);
     paint(context, size, picture, this.colours);
-    this.state.textContent = this.moved.said();
+    if (this.running && this.moved.flight && performance.now() < this.told + READ) return;
+    this.told = performance.now();
+    say(this.state, this.moved.said());
   }
 }

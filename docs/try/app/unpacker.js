@@ -1,0 +1,58 @@
+// One archive of the runtime in a thread of its own: fetched, compared with its hash, unpacked, and kept so where the
+// browser lets a page keep something. The thread beside it starts Python meanwhile.
+
+const decoder = import(new URL("../runtime/xz.js", import.meta.url).href);
+
+/** @param {string} name @param {string} integrity */
+const key = (name, integrity) => new URL(`../${name}?${integrity}`, self.location.href).href;
+
+onmessage = ({ data: { name, integrity } }) => {
+  unpacked(name, integrity).catch((error) => postMessage({ failed: `${name}: ${error.message}` }));
+};
+
+/** @param {string} name @param {string} integrity */
+async function unpacked(name, integrity) {
+  const store = await self.caches?.open("gyrostat").catch(() => undefined);
+  const kept = await store?.match(key(name, integrity));
+  const ready = kept?.headers.has("unpacked") ? kept : undefined;
+  const data = await (ready ?? await opened(kept ?? await fetched(name, integrity), integrity)).arrayBuffer();
+  const whole = ready ? null : new Response(data, { headers: { unpacked: "" } });
+  postMessage({ data }, [data]);
+  if (whole) await store?.put(key(name, integrity), whole).catch(() => {});     // a browser that is full starts without
+  self.close();
+}
+
+/** @param {string} name @param {string} integrity */
+async function fetched(name, integrity) {
+  // Where there is no digest, the browser compares, and tells nothing on the way.
+  const response = await fetch(`../${name}`, self.crypto.subtle ? { cache: "no-cache" } : { cache: "no-cache", integrity })
+    .catch(() => { throw new Error("it did not come"); });
+  if (!response.ok) throw new Error(String(response.status));
+  return response;
+}
+
+/**
+ * The content of an archive, whose hash is compared when it is whole.
+ * @param {Response} response
+ * @param {string} integrity
+ */
+async function opened(response, integrity) {
+  /** @type {Uint8Array<ArrayBuffer>[]} */
+  const chunks = [];
+  let got = 0;
+  const counted = new TransformStream({
+    transform(chunk, controller) {
+      chunks.push(chunk);
+      got += chunk.length;
+      postMessage({ got });
+      controller.enqueue(chunk.slice());                // the decoder may keep what it is given
+    } });
+  await decoder;
+  const { XzReadableStream } = /** @type {any} */ (self)["xz-decompress"];
+  const data = await new Response(new XzReadableStream(response.body?.pipeThrough(counted))).arrayBuffer();
+  const hash = await self.crypto.subtle?.digest("SHA-256", await new Blob(chunks).arrayBuffer());
+  if (hash && `sha256-${btoa(String.fromCharCode(...new Uint8Array(hash)))}` !== integrity) {
+    throw new Error("it did not come whole");
+  }
+  return new Response(data);
+}
