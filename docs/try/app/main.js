@@ -8,6 +8,7 @@ import { checked } from "./arrived.js";
 import { cards } from "./cards.js";
 import { copied } from "./copies.js";
 import { Form } from "./form.js";
+import { gallery } from "./gallery.js";
 import { Entries } from "./history.js";
 import { keep } from "./kept.js";
 import { Modes } from "./modes.js";
@@ -202,4 +203,5 @@ try {
   lost("examples.json", "there is no example to pick; all else works.");
 }
 form.list(examples);
+gallery(at("gallery"), examples, picked);
 arrive();
