@@ -2,7 +2,13 @@
 // that have come while a picture was drawn the newest.
 import { Regions } from "./regions.js";
 
-let regions, size, newest, due;
+/** @type {Regions} */
+let regions;
+let size = 0;
+/** @type {{numbers: Record<string, number>, ends: [number, number][], chart: string, asked: string}} */
+let newest;
+/** @type {ReturnType<typeof setTimeout> | undefined} */
+let due;
 
 onmessage = ({ data }) => {
   if (data.width) {
