@@ -1,7 +1,11 @@
 """The page in Firefox: it starts, answers, draws, and is used by mouse, finger and keys."""
+import os
+
 import pytest
+from bench_page import served
 from browser.firefox import firefox
 
+SITE = os.environ["GYROSTAT_SITE"]
 WIDTHS = (390, 768, 1280, 1920)
 QUIET = "document.body.ariaBusy === 'false' && document.querySelector('.badge')"
 WORD = "document.querySelector('.badge').textContent.trim().split(' ').at(-1)"
@@ -99,6 +103,7 @@ def test_keys_reach_the_chart_and_move_its_point(tab):
     axes = """["across", "upwards"].map((id) => document.getElementById(id).value)
         .map((name) => document.getElementById(`value-${name}`).value)"""
     before = tab.value(axes)
+    tab.until("!document.querySelector('[aria-busy=true]')")
     tab.value("document.getElementById('chart').focus()")
     tab.press("\ue014", "\ue013")                      # right, up
     settled(tab)
@@ -133,3 +138,17 @@ def test_it_is_dark_where_the_system_is(address):
         tab.value("new Promise((done) => setTimeout(done, 1000))")
         swatches, shares = tab.value(SWATCH), tab.value(COLOURS % "chart")
         assert shares.get(f"{swatches['stable']}/255", 0) > 0.05
+
+
+def test_the_second_visit_needs_no_network():
+    """What has come once is kept: page, library and answers, without a server."""
+    with firefox() as tab:
+        with served(SITE) as place:
+            address = place.replace("/index.html", "/try/index.html")
+            tab.goto(address)
+            tab.until(QUIET)
+            tab.until("navigator.serviceWorker.ready.then(({ active }) => active.state === 'activated')")
+        tab.goto("about:blank")
+        tab.goto(address)
+        assert settled(tab) == "Stable"
+        assert typed(tab, "value-omega3_0", "1.2") == "Unstable"

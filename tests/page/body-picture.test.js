@@ -58,7 +58,7 @@ function place([x, y, z], [turn, tilt]) {
   const a = Math.cos(turn) * x - Math.sin(turn) * y, b = Math.sin(turn) * x + Math.cos(turn) * y;
   const up = Math.cos(tilt) * z + Math.sin(tilt) * b, away = Math.cos(tilt) * b - Math.sin(tilt) * z;
   const unitLength = 0.36 * SIZE * 7 / (7 + away);
-  return [0.5 * SIZE + unitLength * a, 0.53 * SIZE - unitLength * up];
+  return [0.5 * SIZE + unitLength * a, 0.53 * SIZE - unitLength * up, away];
 }
 
 const corners = ({ points }) => points.filter(([kind]) => kind === "move" || kind === "line").map(([, x, y]) => [x, y]);
@@ -69,15 +69,17 @@ test("each face of the box that is turned to the eye is painted where its corner
   const [a, b, c] = given.solid.half, found = painted(given).filled.filter(({ points }) => corners({ points }).length === 4);
   assert.equal(found.length, 3);
   const all = [-1, 1].flatMap((x) => [-1, 1].flatMap((y) => [-1, 1].map((z) => place(turned(attitude, [x * a, y * b, z * c]), view))));
-  const seen = new Set();
+  const seen = Array(8).fill(0);
   for (const face of found) {
     for (const corner of corners(face)) {
       const which = all.findIndex((place) => close(place, corner));
       assert.ok(which >= 0);
-      seen.add(which);
+      seen[which] += 1;
     }
   }
-  assert.equal(seen.size, 7);                    // of eight corners one is hidden
+  const depths = all.map(([, , away]) => away);
+  assert.equal(seen[depths.indexOf(Math.min(...depths))], 3);    // the nearest corner is one of all three
+  assert.equal(seen[depths.indexOf(Math.max(...depths))], 0);    // and the farthest is hidden
 });
 
 test("a tensor with products of inertia is drawn by its principal axes", () => {

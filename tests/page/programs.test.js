@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { compiled } from "../../docs/try/numerics/compiled.js";
 import { Rows, SLACK } from "../../docs/try/numerics/programs.js";
-import { absolute, below, chance, exactly, multiply, nearest, ratio, results, subtract } from "./exact.js";
+import { absolute, add, below, chance, divide, exactly, multiply, nearest, ratio, results, subtract } from "./exact.js";
 
 const NAMES = ["a", "b", "c", "x", "y"];
 
@@ -115,15 +115,37 @@ test("a result whose divisor may be zero has no bound", () => {
   }
 });
 
-test("each function has the value of the field's own name", () => {
-  const WITHIN = { exp: 1, log: 2, sin: 1, cos: 1, tan: 1, asin: 0.5, acos: 0.5, atan: 2, sinh: 1, cosh: 1, tanh: 1, asinh: 1,
-    acosh: 2, atanh: 0.5 };
+const WITHIN = { exp: 1, log: 2, sin: 1, cos: 1, tan: 1, asin: 0.5, acos: 0.5, atan: 2, sinh: 1, cosh: 1, tanh: 1, asinh: 1,
+  acosh: 2, atanh: 0.5 };
+
+test("each function has the value of the field's own name, and the bound of its slope", () => {
   for (const [name, at] of Object.entries(WITHIN)) {
-    const steps = [["name", "a"], [name, 0]], rows = new Rows(steps, [], 1);
+    const steps = [["name", "a"], [name, 0]], rows = new Rows(steps, [], 1), f = Math[name];
     rows.begin({ a: at }, 0);
-    assert.equal(rows.values[1][0], Math[name](at));
-    assert.ok(rows.errors[1][0] > 0 && rows.errors[1][0] < 1e-14);
-    assert.deepEqual(compiled({ steps, results: [1] })({ a: at }), [Math[name](at)]);
+    assert.equal(rows.values[1][0], f(at));
+    assert.deepEqual(compiled({ steps, results: [1] })({ a: at }), [f(at)]);
+    const slope = Math.abs(f(at + 1e-6) - f(at - 1e-6)) / 2e-6, most = ["sin", "cos", "atan", "tanh", "asinh"].includes(name)
+      ? 1 : 1.3 * slope;
+    const bound = 2 ** -53 * (most * at + 8 * Math.abs(f(at)));          // of the argument, and of the function
+    assert.ok(rows.errors[1][0] > 2 ** -53 * (0.999 * slope * at + 7.999 * Math.abs(f(at))), name);
+    assert.ok(rows.errors[1][0] <= bound * SLACK, `${name}: ${rows.errors[1][0]} is more than ${bound}`);
   }
   assert.deepEqual(compiled({ steps: [["name", "a"], ["power", 0, 1.5]], results: [1] })({ a: 4 }), [8]);
+});
+
+test("a root of a difference that has lost its digits is within its bound", () => {
+  const dice = chance(6), power = (x, n) => n < 0 ? divide([1n, 1n], power(x, -n)) : n ? multiply(x, power(x, n - 1)) : [1n, 1n];
+  let known = 0;
+  for (let n = 0; n < 400; n++) {
+    const x = ratio(BigInt(1 + dice.below(10 ** 9)), BigInt(1 + dice.below(10 ** 9)) * 10n ** BigInt(dice.below(12)));
+    const big = ratio(BigInt(1 + dice.below(10 ** 9)), BigInt(1 + dice.below(10 ** 9))), [p, q] = dice.one([[1, 2], [3, 2], [-1, 2], [1, 3], [-5, 3]]);
+    const rows = new Rows([["name", "a"], ["name", "b"], ["subtract", 0, 1], ["power", 2, p / q]], [], 1);
+    rows.begin({ a: nearest(add(big, x)), b: nearest(big) }, 0);
+    const value = rows.values[3][0], error = rows.errors[3][0] * SLACK;
+    if (!(error < value)) continue;
+    known += 1;
+    const truth = power(x, p), [least, greatest] = [value - error, value + error].map((end) => power(exactly(end), q));
+    assert.ok(!below(truth, least) && !below(greatest, truth), `(${x[0]}/${x[1]})^(${p}/${q}) is not ${value} ± ${error}`);
+  }
+  assert.ok(known > 200, `${known}`);
 });

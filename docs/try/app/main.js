@@ -9,6 +9,7 @@ import { checked } from "./arrived.js";
 import { cards } from "./cards.js";
 import { copied } from "./copies.js";
 import { Form } from "./form.js";
+import { gallery } from "./gallery.js";
 import { Entries } from "./history.js";
 import { keep } from "./kept.js";
 import { Modes } from "./modes.js";
@@ -21,16 +22,20 @@ import { Sharing } from "./sharing.js";
 import { KINDS, questions } from "./state.js";
 
 const SOON = 60;                                        // milliseconds before the boundary of a chart is asked for
+/** @param {string} id @returns {any} */
 const at = (id) => document.getElementById(id);
 
 at("unstarted").remove();
 window.onerror = (message) => notice("page", `This page failed (${message}).`, ...reload);
-window.onunhandledrejection = ({ reason }) => window.onerror(reason?.message ?? reason);
+window.onunhandledrejection = ({ reason }) => window.onerror?.(reason?.message ?? reason);
 
-const asked = nothing(), drawn = {};
+const asked = nothing();
+/** @type {Record<string, import("./answers.js").Answered>} */
+const drawn = {};                                       // of each kind the answer that its card shows
+/** @type {{ title: string, source: string, scene: import("./scene.js").Table }[]} */
 let examples = [];
 const analyser = new Analyser(told);
-const asks = Object.fromEntries(KINDS.map((kind) => [kind, (question) => analyser.ask(kind, question)]));
+const asks = Object.fromEntries(KINDS.map((kind) => [kind, (/** @type {any} */ question) => analyser.ask(kind, question)]));
 const answers = new Answers({ ...asks,
   charted: ({ scene, axes }) => analyser.ask("charted", scene, [axes]),
   edges: ({ scene, axes, ends }) => analyser.ask("edges", scene, [axes, ends]) }, update, { analysed, decided },
@@ -45,13 +50,17 @@ const entries = new Entries((address) => history.pushState(null, "", address),
 const draw = cards(asked, form, changed);
 const SECTIONS = document.querySelectorAll("main section");
 
-// Of each place the kind of the answer that it shows, or the view.
+/**
+ * Of each place the kind of the answer that it shows, or the view.
+ * @type {Record<string, string | { waiting: boolean }>}
+ */
 const PLACES = { equilibria: "analysed", values: "analysed", error: "analysed", conditions: "analysed",
   place: "analysed", opened: "analysed", verdict: "decided", wrong: "decided", reasons: "decided", here: "decided",
   between: "opened", blocks: "derived", picture: chart, path: nearby };
 
 // Every question, from what the page asks now, and every view; if something is typed, after a pause.
 function update(pause = 0) {
+  /** @type {Record<string, number>} */
   const pauses = { analysed: pause, edges: SOON };
   for (const kind of ["analysed", "moving"]) fitted(asked, answers.answered[kind]?.answer.names ?? []);
   for (const [kind, question] of Object.entries(questions(asked, answers, possible))) {
@@ -76,7 +85,7 @@ function update(pause = 0) {
   sharing.follow(mark());
 }
 
-// A library that answers otherwise than when the page was built.
+/** A library that answers otherwise than when the page was built. @param {string} kind */
 function differed(kind) {
   console.error(`prepared answer differs: ${kind}`);
   notice("prepared", "An answer that was computed when this page was built was not the library's; the library's is shown.",
@@ -99,7 +108,7 @@ function mark() {
   return some;
 }
 
-// The library names the equilibrium that it has chosen, and the axes that a chart may have.
+/** The library names the equilibrium that it has chosen, and the axes that a chart may have. @param {any} found */
 function analysed(found) {
   if (found.equilibria) asked.equilibrium = found.chosen;
   if (found.axes) chart.choose(found.axes, found.names);
@@ -119,14 +128,17 @@ function changed(pause = 0, field = "") {
   update(pause);
 }
 
-// An example, if there is one of this number.
+/** An example, if there is one of this number. @param {number} n */
 function picked(n) {
   if (!examples[n]) return;
   restore({ table: examples[n].scene });
   changed();
 }
 
-// Other fields and numbers, which are made again even if the scene is the one before.
+/**
+ * Other fields and numbers, which are made again even if the scene is the one before.
+ * @param {{ table: import("./scene.js").Table, axes?: string[], ends?: Record<string, [string, string]> }} found
+ */
 function restore({ table, axes = [], ends = {} }) {
   const example = numbered(table, examples);
   Object.assign(asked, taken(table));
@@ -136,6 +148,7 @@ function restore({ table, axes = [], ends = {} }) {
   answers.forget("analysed");
 }
 
+/** @param {import("./progress.js").News & { failed?: string }} news */
 function told({ failed, ...news }) {
   const { share, text } = progress(news);
   at("starting").hidden = Boolean(news.ready || failed);
@@ -144,7 +157,7 @@ function told({ failed, ...news }) {
   if (news.version) keep(news.version);
   const why = navigator.onLine ? `${failed}). A file is not on the server, or this browser is too old for it`
     : "the network is not there). It starts again when the network is back";
-  notice("library", failed && `The library could not be started (${why}. What is typed stays; the library runs on your own `
+  notice("library", !failed ? "" : `The library could not be started (${why}. What is typed stays; the library runs on your own `
     + "machine too.", "Start it again", again);
 }
 
@@ -155,7 +168,7 @@ function again() {
   update();
 }
 
-// A number is set by a picture.
+/** A number is set by a picture. @param {string} name @param {string} text */
 function set(name, text) {
   const input = at(`value-${name}`);
   input.value = text;
@@ -169,9 +182,10 @@ for (const [id, kind] of [["opened", "opened"], ["derivation", "derived"]]) {
   };
 }
 
+/** @param {string} address */
 async function json(address) {
   const response = await fetch(address);
-  if (!response.ok) throw new Error(response.status);
+  if (!response.ok) throw new Error(String(response.status));
   return response.json();
 }
 
@@ -197,4 +211,5 @@ try {
   lost("examples.json", "there is no example to pick; all else works.");
 }
 form.list(examples);
+gallery(at("gallery"), examples, picked);
 arrive();

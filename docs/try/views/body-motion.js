@@ -14,11 +14,13 @@ const PIECE = 60, PIECES = 30;                          // samples of a piece of
 const FRAMES = 240;                                     // to the shortest period
 const STRIDE = 4, AHEAD = 60;                           // frames to a sample of what is to come; samples
 const FASTEST = 0.25;                                   // rad of a wheel in a frame; faster it seems to stand
-/** @type {Record<number, string[]>} */
-const FRAME = { 3: ["", "", "M"], 6: ["", "", "k"], 9: ["roll t", "pitch n", "yaw r"] };
+/** @type {Record<number, Picture["frame"]>} */
+const FRAME = { 0: [], 3: [{ name: "M", direction: [0, 0, 1] }], 6: [{ name: "k", direction: [0, 0, 1] }],
+  9: [{ name: "roll t", direction: [1, 0, 0] }, { name: "pitch n", direction: [0, 1, 0] },
+    { name: "yaw r", direction: [0, 0, 1] }, { name: "Earth", direction: [0, 0, -1] }] };
 /** @type {Record<number, string>} */
 const STILL = { 3: "the angular momentum M stands still", 6: "the vertical k stands still",
-  9: "the axes of the orbit stand still: t along the velocity, n its normal, r away from the Earth" };
+  9: "the axes of the orbit stand still: t along the velocity, n across the orbit, r upwards" };
 const SUBSCRIPTS = "₁₂₃";
 
 /** @param {number} x */
@@ -138,9 +140,8 @@ export class BodyMotion {
   picture(verdict, view) {
     const { body, pieces, ahead, attitude = UNTURNED, count } = this;
     if (!body) return null;
-    const frame = (FRAME[count] ?? []).flatMap((name, n) => name ? [{ direction: UNTURNED[n], name }] : []);
     const last = pieces[pieces.length - 1].slice(-1);
-    return { solid: body.solid, axes: body.axes, attitude, frame, verdict, view,
+    return { solid: body.solid, axes: body.axes, attitude, frame: FRAME[count], verdict, view,
       rotor: Math.hypot(...body.rotor) ? { axle: unit(body.rotor), angle: this.wheel } : null,
       path: { axes: count === 3 ? attitude : UNTURNED, past: pieces,
         age: pieces.map((_, n) => (pieces.length - 1 - n) / PIECES),

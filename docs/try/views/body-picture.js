@@ -60,7 +60,7 @@ class Painter {
       const [u, v] = shown[(n + 1) % shown.length];
       return sum + x * v - u * y;
     }, 0);
-    const facing = Math.abs(area) < 1e-9 ? 0 : -Math.sign(area);
+    const facing = -Math.sign(area);
     const normal = turned(this.looking, unit(cross(vector((n) => b[n] - a[n]), vector((n) => c[n] - a[n]))));
     const light = 0.66 + 0.34 * facing * dot(normal, SUN);
     return { shown, facing, colour: `rgb(${rgb.map((x) => Math.round(x * light)).join(", ")})` };
@@ -162,7 +162,8 @@ class Painter {
    */
   name(ray, body) {
     const { context, size } = this, { u, v, p, q } = this.ends(ray), { name, aside } = ray;
-    const across = aside * size / 24, along = aside ? 0 : size / 22, edge = size * 0.015 * (1 + name.length);
+    const across = aside * size / 24, along = aside ? 0 : size * (0.04 + 0.011 * name.length * Math.abs(p));
+    const edge = size * 0.015 * (1 + name.length);
     const x = Math.min(size - edge, Math.max(edge, u + p * along - q * across));
     const y = Math.min(size * 0.97, Math.max(size * 0.03, v + q * along + p * across));
     if (!ray.front && body.some(({ shown, facing }) => facing > 0 && inside(shown, x, y))) return;
