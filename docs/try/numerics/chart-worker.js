@@ -5,7 +5,7 @@ import { Regions } from "./regions.js";
 /** @type {Regions} */
 let regions;
 let size = 0;
-/** @type {any} */
+/** @type {{numbers: Record<string, number>, ends: [number, number][], chart: string, asked: string}} */
 let newest;
 /** @type {ReturnType<typeof setTimeout> | undefined} */
 let due;

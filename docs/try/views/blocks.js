@@ -99,4 +99,5 @@ export function verdict(place, reasons, { verdict: found, found: all, damped, bl
   shown(reasons, { blocks });
 }
 
+/** @param {keyof typeof WORDS} found */
 export const word = (found) => WORDS[found][1].toLowerCase();

@@ -37,7 +37,9 @@ export class Hands {
     /** @type {"" | "tap" | "drag" | "pan" | "pinch"} */
     this.mode = "";
     /** @type {Place} */
-    this.start = this.offset = [0, 0];
+    this.start = [0, 0];
+    /** @type {Place} from a finger to the point that it drags */
+    this.offset = [0, 0];
   }
 
   /** Whether a finger at a place holds the point. @param {Place} place */

@@ -35,6 +35,8 @@ export class Chart {
     /** @type {any} */
     this.program = null;
     this.drawing = this.broken = "";
+    /** @type {import("./plot.js").Colours} */
+    this.colours = { ink: "", quiet: "", paper: "" };
     /** @param {string} name @returns {any} */
     const find = (name) => place.querySelector(name);
     this.canvas = find("canvas");

@@ -19,8 +19,12 @@ export class Regions {
     this.codes = null;
     /** @type {Ends[] | null} those of the picture that is shown */
     this.ends = null;
-    /** @type {string | null | undefined} the chart; the picture that is wanted; the one that is shown */
-    this.loaded = this.wanted = this.shown = null;
+    /** @type {string | null | undefined} the chart */
+    this.loaded = null;
+    /** @type {string | null | undefined} the picture that is wanted */
+    this.wanted = null;
+    /** @type {string | null | undefined} the one that is shown */
+    this.shown = null;
     this.worker = new Worker("numerics/chart-worker.js", { type: "module" });
     this.worker.onmessage = ({ data }) => this.come(data);
     this.worker.onerror = (event) => {
