@@ -116,7 +116,7 @@ function analysed(found) {
   return scene(asked);
 }
 
-// The library says the doubles of numbers that are no decimals.
+/** The library says the doubles of numbers that are no decimals. @param {any} found @param {any} question */
 function decided(found, { values }) {
   if (found.doubles) heard(values, found.doubles);
 }
