@@ -59,7 +59,7 @@ def pictures(context, address, example, axes):
         let count = 0;
         pen.putImageData = function (...given) { count++; put.apply(this, given); };
         for (let n = 0; performance.now() - start < 3000; n++) {
-            slider.value = 1 + n % 100 / 100;
+            slider.value = 200 + n % 100;
             slider.dispatchEvent(new Event("input"));
             await new Promise(requestAnimationFrame);
         }

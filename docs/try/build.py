@@ -6,6 +6,7 @@ listed with its hash in TARGET/files.json.
 import hashlib
 import json
 import lzma
+import re
 import shutil
 import subprocess
 import sys
@@ -24,6 +25,7 @@ from trimmed import lazy, named
 HERE = Path(__file__).parent
 MODULES = ("session.py", "examples.json")
 SCRIPTS = ("app", "views", "numerics")
+COMMENTS = re.compile(r"^[ \t]*(?://.*|/\*\*(?:(?!\*/)[\s\S])*\*/[ \t]*)\n", re.MULTILINE)
 LIST, SERVICE = "files.json", "sw.js"
 
 
@@ -105,6 +107,11 @@ def module(script: str) -> str:
     return found
 
 
+def without_comments(script: str) -> str:
+    """A script without the lines that are nothing but comments, which nobody needs to fetch."""
+    return COMMENTS.sub("", script)
+
+
 def built(target: Path, stage: Path) -> None:
     """Fetch, compile, copy, list."""
     sources = tomllib.loads((HERE / "sources.toml").read_text(encoding="utf-8"))
@@ -126,10 +133,14 @@ def built(target: Path, stage: Path) -> None:
     shipped(stage, sources, target / "licences")
     for folder in ("prepared", "pictures"):
         shutil.copytree(stage / folder, target / folder)
+    shutil.copy(stage / "examples.json", target)
     for folder in SCRIPTS:
-        shutil.copytree(HERE / folder, target / folder)
+        (target / folder).mkdir()
+        for path in (HERE / folder).glob("*.js"):
+            (target / folder / path.name).write_text(without_comments(path.read_text(encoding="utf-8")),
+                                                     encoding="utf-8")
     for path in HERE.iterdir():
-        if path.suffix in (".html", ".css") or path.name == "examples.json":
+        if path.suffix in (".html", ".css"):
             shutil.copy(path, target)
     print(f"try: {listed(target)}")
 
@@ -141,8 +152,9 @@ def listed(target: Path) -> str:
     files = {path.relative_to(target).as_posix(): _listed(path)
              for path in sorted(target.rglob("*")) if path.is_file()}
     (target / LIST).write_text(json.dumps(files, indent=1), encoding="utf-8")
-    worker, version = (HERE / SERVICE).read_text(encoding="utf-8"), _listed(target / LIST)["integrity"]
-    (target / SERVICE).write_text(worker.replace("{version}", str(version)), encoding="utf-8")
+    worker = without_comments((HERE / SERVICE).read_text(encoding="utf-8"))
+    version = str(_listed(target / LIST)["integrity"])
+    (target / SERVICE).write_text(worker.replace("{version}", version), encoding="utf-8")
     return f"{len(files)} files, {sum(int(entry['bytes']) for entry in files.values()) / 1e6:.1f} MB"
 
 

@@ -16,5 +16,7 @@ for (const [n, example] of examples.entries()) {
   const found = await prepared(example, (question) => JSON.parse(answer(JSON.stringify(question))));
   writeFileSync(`${stage}/prepared/${n}.json`, JSON.stringify(found));
   const [ending, picture] = pictured(found);
-  writeFileSync(`${stage}/pictures/${n}.${ending}`, picture);
+  example.picture = `pictures/${n}.${ending}`;
+  writeFileSync(`${stage}/${example.picture}`, picture);
 }
+writeFileSync(`${stage}/examples.json`, JSON.stringify(examples));

@@ -9,7 +9,7 @@ from random import Random
 
 import pytest
 import session
-from browser.driving import AGREE, picked, pixels
+from browser.driving import AGREE, cells, picked, pixels
 
 from gyrostat import trajectories
 from gyrostat.algebra.text.numbers import exact_number
@@ -95,7 +95,7 @@ def right(what, question, answer):
         return told == found.get("why", found.get("error")) or told.startswith(BY_PAGE)
     assert what == "chart", what
     return "steps" in found and [name for name, low, _ in told["ranges"] if low] == axes and all(
-        verdict in AGREE[word] for word, verdict, _ in pixels(report(question), PLACES, told))
+        verdict in AGREE[word] for word, verdict, _ in pixels(report(question), told))
 
 
 def shown(decided):
@@ -150,6 +150,7 @@ def test_an_answer_is_shown_only_beside_its_question(page, context, seed):
     GYROSTAT_CHANGES is how often, 200 by default.
     """
     errors = len(context.errors)
+    cells(page)
     found = page.evaluate(VISITOR, {"seed": seed, "changes": min(CHANGES, 200), "fields": FIELDS,
                                     "numbers": NUMBERS, "places": PLACES})["seen"]
     late = {question for question, _, answer in found if str(answer).startswith(LATE)}

@@ -69,7 +69,7 @@ def test_a_computation_that_fails_or_lasts_is_said_and_the_library_starts_again(
     page.add_init_script("delete window.OffscreenCanvas")
     page.clock.install()
     page.goto(address)
-    page.wait_for_selector("#chart[aria-label*='The cross']")
+    page.wait_for_selector("#chart[aria-label*='The ring']")
     assert shown(page) == ("Stable", "")
 
     worker = next(worker for worker in page.workers if worker.url.endswith("/worker.js"))

@@ -51,15 +51,13 @@
   }
 
   function colours(axes) {
-    const { data } = at("chart").getContext("2d").getImageData(0, 0, 400, 400);
     const key = [...document.querySelectorAll(".key span")].map((span) => [
       getComputedStyle(span).backgroundColor.match(/\d+/g).slice(0, 3).join(), span.className]);
     const ranges = axes.map((name) => {
-      const slider = at(`value-${name}`)?.parentElement.querySelector("[type=range]");
-      return [name, slider?.min ?? null, slider?.max ?? null];
+      const { low, high } = at(`value-${name}`)?.closest(".value").dataset ?? {};
+      return [name, low ?? null, high ?? null];
     });
-    return { key, ranges, values: inputs(at("values")),
-      colours: places.map(([x, y]) => data.slice(4 * (400 * y + x), 4 * (400 * y + x) + 3).join()) };
+    return { key, ranges, values: inputs(at("values")), cells: cells(places) };
   }
 
   const set = (input, text, event = "input") => {
@@ -84,8 +82,13 @@
       const select = one([at("across"), at("upwards")]);
       set(select, one([...select.options])?.value ?? "", "change");
     }],
-    [4, () => at("chart").dispatchEvent(new PointerEvent("pointerdown", { clientX: at("chart").getBoundingClientRect().x
-      + 400 * random(), clientY: at("chart").getBoundingClientRect().y + 400 * random() }))],
+    [4, () => {
+      const { x, y, width } = at("chart").getBoundingClientRect();
+      const place = { clientX: x + width * random(), clientY: y + width * random(), bubbles: true };
+      for (const kind of ["pointerdown", "pointerup"]) at("chart").dispatchEvent(new PointerEvent(kind, place));
+    }],
+    [3, () => at("chart").dispatchEvent(new KeyboardEvent("keydown", { key: one(["+", "+", "-"]) }))],
+    [1, () => at("whole").click()],
     [2, () => set(at("push"), one(["0.05", "0.1", "0.2"]))],
     [3, () => one([...document.querySelectorAll("[data-copy]")]).click()],
     [1, () => at(one(["opened", "derivation"])).toggleAttribute("open")],

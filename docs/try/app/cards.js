@@ -1,6 +1,6 @@
 // The cards of the page, each drawn from an answer of the library.
-import { placed, shown, sliders, verdict } from "../views/blocks.js";
-import { heard } from "./numbers.js";
+import { shown, verdict } from "../views/blocks.js";
+import { sliders } from "../views/sliders.js";
 
 /** @param {string} id @returns {any} */
 const at = (id) => document.getElementById(id);
@@ -25,16 +25,13 @@ export const cards = (asked, form, changed) => ({
     shown(at("conditions"), { blocks: found.conditions });
     sliders(at("values"), found.names ?? [], asked, changed);
   },
-  decided(found, question) {
+  decided(found) {
     const { error = "", ...answer } = found ?? {};
     at("wrong").textContent = error;
     for (const text of at("values").querySelectorAll("input[id]")) {
       text.ariaInvalid = String(error.includes(`'${text.value}'`) || error.startsWith(`${text.id.slice(6)} = `));
     }
     verdict(at("verdict"), at("reasons"), answer);
-    if (!answer.doubles) return;
-    heard(question.values, answer.doubles);
-    placed(at("values"));
   },
   opened(found) {
     shown(at("between"), found);

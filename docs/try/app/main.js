@@ -1,18 +1,20 @@
 // The page: what is asked stands in `asked`, what is answered in `answers`; every view is drawn from the two.
-import { fitted, typeset, word } from "../views/blocks.js";
+import { typeset, word } from "../views/blocks.js";
 import { Nearby } from "../views/body.js";
 import { Chart } from "../views/chart.js";
+import { fitted, placed } from "../views/sliders.js";
 import { Analyser } from "./analyser.js";
 import { Answers } from "./answers.js";
 import { checked } from "./arrived.js";
 import { cards } from "./cards.js";
 import { copied } from "./copies.js";
 import { Form } from "./form.js";
+import { gallery } from "./gallery.js";
 import { Entries } from "./history.js";
 import { keep } from "./kept.js";
 import { Modes } from "./modes.js";
 import { lost, notice, reload } from "./notices.js";
-import { possible } from "./numbers.js";
+import { heard, possible } from "./numbers.js";
 import { library } from "./prepared.js";
 import { progress } from "./progress.js";
 import { link, linked, nothing, numbered, scene, taken } from "./scene.js";
@@ -36,7 +38,7 @@ const analyser = new Analyser(told);
 const asks = Object.fromEntries(KINDS.map((kind) => [kind, (/** @type {any} */ question) => analyser.ask(kind, question)]));
 const answers = new Answers({ ...asks,
   charted: ({ scene, axes }) => analyser.ask("charted", scene, [axes]),
-  edges: ({ scene, axes, ends }) => analyser.ask("edges", scene, [axes, ends]) }, update, { analysed },
+  edges: ({ scene, axes, ends }) => analyser.ask("edges", scene, [axes, ends]) }, update, { analysed, decided },
   library(async () => examples, (n) => json(`prepared/${n}.json`)), differed);
 const form = new Form(asked, changed, picked);
 const chart = new Chart(at("charted"), asked, answers, set, update);
@@ -60,6 +62,7 @@ const PLACES = { equilibria: "analysed", values: "analysed", error: "analysed", 
 function update(pause = 0) {
   /** @type {Record<string, number>} */
   const pauses = { analysed: pause, edges: SOON };
+  for (const kind of ["analysed", "moving"]) fitted(asked, answers.answered[kind]?.answer.names ?? []);
   for (const [kind, question] of Object.entries(questions(asked, answers, possible))) {
     answers.follow(kind, question, pauses[kind]);
   }
@@ -69,6 +72,8 @@ function update(pause = 0) {
     drawn[kind] = now;
     draw[kind]?.(now?.answer, now?.question);
   }
+  placed(at("values"), asked);
+  placed(at("more"), asked);
   const reading = answers.waiting("decided"), { answer, question } = answers.answered.decided ?? {};
   chart.follow(reading);
   nearby.follow(reading);
@@ -76,8 +81,9 @@ function update(pause = 0) {
     ? `${asked.axes.map((name) => `${name} = ${question.values[name]}`).join(", ")}: ${word(answer.verdict)}` : "";
   entries.follow(link(asked));
   modes.follow();
-  at("early").hidden = !KINDS.some((kind) => answers.of(kind) && answers.answered[kind].prepared);
-  sharing.follow(mark());
+  const early = KINDS.some((kind) => answers.of(kind) && answers.answered[kind].prepared);
+  at("early").hidden = !early;
+  sharing.follow(mark() || early);
 }
 
 /** A library that answers otherwise than when the page was built. @param {string} kind */
@@ -106,9 +112,13 @@ function mark() {
 /** The library names the equilibrium that it has chosen, and the axes that a chart may have. @param {any} found */
 function analysed(found) {
   if (found.equilibria) asked.equilibrium = found.chosen;
-  fitted(asked, found.names ?? []);
-  if (found.axes) chart.choose(found.axes);
+  if (found.axes) chart.choose(found.axes, found.names);
   return scene(asked);
+}
+
+/** The library says the doubles of numbers that are no decimals. @param {any} found @param {any} question */
+function decided(found, { values }) {
+  if (found.doubles) heard(values, found.doubles);
 }
 
 // Something is set by the visitor, or typed in a field: what was copied is of what was there before.
@@ -203,5 +213,6 @@ try {
   lost("examples.json", "there is no example to pick; all else works.");
 }
 form.list(examples);
+gallery(at("gallery"), examples, picked);
 arrive();
 analyser.start();                                        // after what is needed to show a prepared answer

@@ -11,7 +11,8 @@ import { asGiven, given, MADE } from "./made.js";
  * @property {Record<string, string>} made what the equilibrium is made with, by its kind
  * @property {Record<string, string>} values numbers by their names, as they are typed
  * @property {string[]} axes the names across and upwards of the chart
- * @property {Record<string, [string, string]>} ends from where to where a slider and an axis of a name go
+ * @property {Map<string, import("../views/scales.js").Scale>} scales of each name that of its slider and its axis
+ * @property {Record<string, string[]>} ends from where to where a link says that they go
  * @property {Record<string, boolean>} open whether what folds is open, by the question that it asks
  * @property {string} copying what is to be copied; "" if nothing is
  * @property {string} show lecture or embed; "" for the whole page
@@ -35,7 +36,7 @@ const named = (values = {}) => Object.assign(Object.create(null), values);
 
 /** @returns {Asked} what is asked before anything is */
 export const nothing = () => ({ texts: {}, equilibrium: "", spin: "pi3_0", made: {}, values: named(), axes: ["", ""],
-  ends: named(), open: {}, copying: "", show: "", push: "0.05" });
+  scales: new Map(), ends: named(), open: {}, copying: "", show: "", push: "0.05" });
 
 /**
  * The parts of what is asked that a link or an example says; the library reads them as if they were typed.
@@ -50,7 +51,8 @@ export function taken(table) {
     equilibrium: table.point ? "point" : table.equilibrium ?? "",
     made: Object.fromEntries(Object.keys(MADE).filter((name) => name in table)
       .map((name) => [name, asGiven(table[name])])),
-    spin: table.spin ?? "pi3_0", values: named(table.values), ends: named() };
+    spin: table.spin ?? "pi3_0", values: named(table.values), scales: new Map(),
+    ends: named() };
 }
 
 /**
@@ -114,7 +116,8 @@ export function link(asked) {
   const pairs = TEXTS.map((name) => [name, asked.texts[name]]);
   pairs.push(...Object.entries(given(asked)));
   pairs.push(["axes", asked.axes.join()], ["spin", asked.spin],
-    ...asked.axes.filter((name) => asked.ends[name]).map((name) => ["ends", `${name}=${asked.ends[name]}`]),
+    ...asked.axes.flatMap((name) => asked.scales.get(name) ?? [])
+      .map(({ of, ends }) => ["ends", `${of.name}=${ends}`]),
     ...Object.entries(asked.values).map(([name, text]) => ["set", `${name}=${text}`]));
   if (asked.show) pairs.push(["show", asked.show]);
   return `#${new URLSearchParams(pairs)}`;

@@ -51,10 +51,11 @@ function standing(answers, kind, question) {
  * @param {import("./scene.js").Asked} asked
  * @param {(name: string, text: string) => number} number
  */
-function edges(program, whole, { axes, ends, values }, number) {
+function edges(program, whole, { axes, scales, values }, number) {
   if (!program) return undefined;
   const others = Object.entries(whole.values).filter(([name]) => !axes.includes(name));
   const needed = (program.names ?? []).filter((/** @type {string} */ name) => !axes.includes(name));
   if (!program.steps || !needed.every((/** @type {string} */ name) => Number.isFinite(number(name, values[name])))) return null;
-  return { scene: { ...whole, values: Object.fromEntries(others) }, axes, ends: axes.map((name) => ends[name]) };
+  return { scene: { ...whole, values: Object.fromEntries(others) }, axes,
+    ends: axes.map((name) => scales.get(name)?.ends.map(String)) };
 }

@@ -5,7 +5,7 @@ import { Regions } from "./regions.js";
 /** @type {Regions} */
 let regions;
 let size = 0;
-/** @type {any} */
+/** @type {{numbers: Record<string, number>, ends: [number, number][], chart: string, asked: string}} */
 let newest;
 /** @type {ReturnType<typeof setTimeout> | undefined} */
 let due;
@@ -24,11 +24,10 @@ onmessage = ({ data }) => {
 
 function draw() {
   due = undefined;
-  const { numbers, ends, colours, chart, asked } = newest;
-  const codes = regions.drawn(numbers, ends), pixels = new Uint8ClampedArray(4 * size * size);
-  const inks = new Uint32Array(new Uint8Array(colours.flat()).buffer), out = new Uint32Array(pixels.buffer);
+  const { numbers, ends, chart, asked } = newest;
+  const rows = regions.drawn(numbers, ends), codes = new Uint8Array(size * size);
   for (let y = 0; y < size; y++) {                      // the highest row first
-    for (let x = 0; x < size; x++) out[(size - 1 - y) * size + x] = inks[codes[y * size + x]];
+    codes.set(rows.subarray(y * size, (y + 1) * size), (size - 1 - y) * size);
   }
-  postMessage({ pixels, ends, chart, asked }, [pixels.buffer]);
+  postMessage({ codes, ends, chart, asked }, [codes.buffer]);
 }

@@ -102,9 +102,9 @@ export class Flight {
     this.period = 2 * Math.PI / (Math.max(quick, Math.hypot(...velocity(known))) || 1);
   }
 
-  /** The same motion from its start, for what is to come. @param {number} tolerance */
-  again(tolerance) {
-    return new Motion(this.rate, this.start, tolerance);
+  /** The same motion from its start, quickly and roughly, for what is to come. */
+  again() {
+    return new Motion(this.rate, this.start, 1e-7, 4);
   }
 
   get time() {

@@ -1,5 +1,4 @@
-// What the library answers, shown: blocks of sentences and formulas, verdicts, numbers with their sliders.
-import { number, positive } from "../app/numbers.js";
+// What the library answers, shown: blocks of sentences and formulas, verdicts.
 
 /**
  * A part of a sentence: text, or a formula in LaTeX.
@@ -16,7 +15,6 @@ import { number, positive } from "../app/numbers.js";
 
 /** @type {Record<string, [sign: string, word: string]>} */
 const WORDS = { STABLE: ["✓", "Stable"], UNSTABLE: ["✗", "Unstable"], UNDECIDED: ["?", "Undecided"] };
-const START = new Map([["I2", "1.2"], ["I3", "1.6"], ["l", "0"], ["k3", "0.5"]]);
 
 /**
  * @template {keyof HTMLElementTagNameMap} Name
@@ -112,54 +110,5 @@ export function verdict(place, reasons, { verdict: found, found: all, damped, bl
   shown(reasons, { blocks });
 }
 
+/** @param {keyof typeof WORDS} found */
 export const word = (found) => WORDS[found][1].toLowerCase();
-
-function ends(name, value) {
-  if (positive.has(name) || name === "M") return [0.05, Math.max(5, 2 * value || 0)];
-  if (/^[knr]\d?$/.test(name)) return [-1, 1];
-  const most = Math.max(5, 2 * Math.abs(value) || 0);
-  return [-most, most];
-}
-
-/**
- * Gives a number, and the ends of its slider, to each name that has none.
- * @param {import("../app/scene.js").Asked} asked
- * @param {{ name: string, positive: boolean }[]} names
- */
-export function fitted({ values, ends: shown }, names) {
-  for (const { name, positive: above } of names) {
-    if (above) positive.add(name);
-    values[name] ??= START.get(name) ?? "1";
-    shown[name] ??= ends(name, number(name, values[name])).map(String);
-  }
-}
-
-/**
- * A row for each name: its symbol, a text that is exact, a slider. changed() after each change of values.
- * @param {Element} place
- * @param {any[]} names
- * @param {import("../app/scene.js").Asked} asked
- * @param {() => void} changed
- */
-export function sliders(place, names, { values, ends: shown }, changed) {
-  place.replaceChildren(...names.map(({ name, tex, meaning }) => {
-    const [min, max] = shown[name];
-    const text = element("input", { id: `value-${name}`, value: values[name], size: 8, maxLength: 500,
-      spellcheck: false, autocomplete: "off", autocapitalize: "none" });
-    const slider = element("input", { type: "range", min, max, step: 0.01, ariaLabel: `${name}, slider` });
-    text.oninput = () => { values[name] = text.value; placed(place); changed(); };
-    slider.oninput = () => { values[name] = text.value = slider.value; changed(); };
-    const label = element("label", { htmlFor: text.id, title: name }, formula(tex));
-    return element("div", { className: "value" }, label, text, slider, element("small", {}, meaning));
-  }));
-  placed(place);
-}
-
-// Sliders where their texts are.
-export function placed(place) {
-  for (const row of place.querySelectorAll(".value")) {
-    const text = row.querySelector("[id]");
-    const value = number(text.id.slice(6), text.value);
-    if (Number.isFinite(value)) row.querySelector("[type=range]").value = value;
-  }
-}

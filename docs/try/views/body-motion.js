@@ -81,7 +81,7 @@ export class BodyMotion {
     const { coordinates, programs: { rates, velocity } } = this;
     this.flight = new Flight({ coordinates, rates, velocity }, numbers, released(here, push), this.body.rotor,
       this.attitude);
-    this.coming = this.flight.again(1e-9);
+    this.coming = this.flight.again();
     this.arrived(this.flight);
     return "";
   }

@@ -1,11 +1,11 @@
 // The body as it moves near the equilibrium, seen from outside; its numbers in doubles.
 import { possible } from "../app/numbers.js";
 import { names } from "../app/state.js";
-import { fitted, sliders } from "./blocks.js";
 import { BodyMotion, VIEW } from "./body-motion.js";
 import { paint } from "./body-picture.js";
 import { DARK, LIGHT } from "./colours.js";
 import { turning } from "./hands.js";
+import { sliders } from "./sliders.js";
 
 const PATIENCE = 150;                                   // milliseconds of an old verdict on the path
 const WORK = 4;                                         // milliseconds of a frame for what is to come
@@ -129,9 +129,8 @@ export class Nearby {
     this.loaded = program;
     this.names = names(found);
     const beside = names(this.answers.answered.analysed?.answer);
-    /** @type {{ name: string, positive: boolean }[]} */
+    /** @type {import("./sliders.js").Name[]} */
     const all = found?.names ?? [], given = all.filter(({ name }) => !beside.includes(name));
-    fitted(this.asked, given);
     sliders(this.more, given, this.asked, this.changed);
     this.moved = new BodyMotion(found);
     this.verdict = "";

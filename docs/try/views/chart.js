@@ -1,194 +1,251 @@
-// A chart of two names: in each pixel what doubles prove of the criteria, over it the zeros of the margins, exact.
+// A chart of two names: in each pixel what doubles prove of the criteria, over it zeros of margins, exact.
 import { notice, reload } from "../app/notices.js";
 import { possible } from "../app/numbers.js";
 import { element } from "./blocks.js";
+import { handled } from "./chart-hands.js";
+import { paint, placed, shares } from "./plot.js";
+import { Regions, SIZE } from "./regions.js";
+import { rounded, stretched, written } from "./scales.js";
 
-const SIZE = 400, STEPS = 100;                          // pixels; keys from end to end
-const KEYS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
-// the swatches of the key, in the order of their codes in regions.js
+/** @typedef {import("./scales.js").Ends} Ends */
+/** @typedef {import("./scales.js").Scale} Scale */
+/** @typedef {import("./plot.js").Plot} Plot */
+/** @typedef {[number, number]} Point */
+
+const STEPS = 100;                                      // of an arrow key, from end to end
+// the swatches of the key, in the order of their codes in numerics/regions.js
 const COLOURS = ["unknown", "stable", "unstable", "open", "nowhere"];
 
 export class Chart {
   /**
-   * @param {Element} place the section
+   * @param {HTMLElement} place the section
    * @param {import("../app/scene.js").Asked} asked
    * @param {import("../app/answers.js").Answers} answers
    * @param {(name: string, text: string) => void} set sets a number of the page
-   * @param {() => void} settled called when something has come or another axis is chosen
+   * @param {() => void} settled called when something has come, another axis is chosen or the ends are others
    */
   constructor(place, asked, answers, set, settled) {
-    Object.assign(this, { place, asked, answers, set, settled, wanted: [] });
+    this.place = place;
+    this.asked = asked;
+    this.answers = answers;
+    this.set = set;
+    this.settled = settled;
+    /** @type {string[]} the axes of a link */
+    this.wanted = [];
+    /** @type {any} */
+    this.program = null;
+    this.drawing = this.broken = "";
+    /** @type {import("./plot.js").Colours} */
+    this.colours = { ink: "", quiet: "", paper: "" };
+    /** @param {string} name @returns {any} */
     const find = (name) => place.querySelector(name);
-    [this.canvas, this.across, this.upwards, this.why, this.drawn] = ["canvas", "#across", "#upwards", "#no-chart",
-      ".drawn"].map(find);
-    this.picture = element("canvas", { width: SIZE, height: SIZE });
-    this.worker = new Worker("numerics/chart-worker.js", { type: "module" });
-    this.worker.onmessage = ({ data }) => this.come(data);
-    this.worker.onerror = (event) => {
-      event.preventDefault();
+    this.canvas = find("canvas");
+    this.selects = [find("#across"), find("#upwards")];
+    this.why = find("#no-chart");
+    this.drawn = find(".drawn");
+    this.whole = find("#whole");
+    this.ends = find("#ends");
+    this.regions = new Regions(settled, (why) => {
       this.broken = "no chart, see the top of this page";
-      notice("chart", `The chart failed (${event.message || "a file of it did not come"}).`, ...reload);
+      notice("chart", `The chart failed (${why}).`, ...reload);
       settled();
-    };
-    this.across.onchange = () => this.turned(0);
-    this.upwards.onchange = () => this.turned(1);
-    this.canvas.onpointerdown = (event) => this.pointed(event);
-    this.canvas.onkeydown = (event) => this.moved(event);
+    });
+    this.selects.forEach((select, n) => { select.onchange = () => this.turned(n); });
+    this.whole.onclick = () => this.rescaled((scale) => ({ ...scale, ends: scale.whole }));
+    handled(this.canvas, {
+      point: () => this.point(),
+      within: (at) => shares(this.size, at).every((share) => share >= 0 && share <= 1),
+      set: (at) => this.to(shares(this.size, at)),
+      step: (at, step) => this.to(shares(this.size, at).map((share, n) => share + step[n] / STEPS)),
+      stretch: (from, to, factor) => this.stretch(shares(this.size, from), shares(this.size, to), factor) });
     this.inks();
     matchMedia("(prefers-color-scheme: dark)").onchange = () => {
       this.inks();
       settled();
     };
+    new ResizeObserver(() => this.draw()).observe(this.canvas);
+    addEventListener("resize", () => this.draw());      // a pixel of the screen may be another one
   }
 
-  // Whether what is drawn is of another scene than the page's, or of other numbers.
+  /** Whether what is drawn is of another scene than the page's, or of other numbers. */
   get waiting() {
-    return this.answers.waiting("charted") || this.painting !== null && this.painting !== this.painted;
+    return this.answers.waiting("charted") || this.regions.waiting;
   }
 
-  // Another equilibrium: of its names two that differ, the old ones or those of a link if they are among them.
-  choose(names) {
-    let [x, y] = [this.across, this.upwards].map((select, n) => this.wanted[n] ?? select.value)
-      .map((name) => names.includes(name) ? name : undefined);
+  /** The width of the picture, which is a square. @returns {number} */
+  get size() {
+    return this.canvas.clientWidth;
+  }
+
+  /**
+   * Another equilibrium: of its names two that differ, the old ones or those of a link if they are among
+   * them.
+   * @param {string[]} axes
+   * @param {import("./scales.js").Name[]} names
+   */
+  choose(axes, names) {
+    let [x, y] = this.selects.map((select, n) => this.wanted[n] ?? select.value)
+      .map((name) => axes.includes(name) ? name : undefined);
     if (x === y) y = undefined;
-    const [last, before] = names.toReversed();
+    const [last, before] = axes.toReversed();
     x ??= before === y ? last : before ?? last;
     y ??= last === x ? before : last;
-    for (const [select, name] of [[this.across, x], [this.upwards, y]]) {
-      select.replaceChildren(...names.map((name) => new Option(name, name)));
-      select.value = name ?? "";
-    }
+    const texts = new Map(names.map(({ name, text }) => [name, text]));
+    [x, y].forEach((name, n) => {
+      this.selects[n].replaceChildren(...axes.map((axis) => new Option(texts.get(axis), axis)));
+      this.selects[n].value = name ?? "";
+    });
     this.wanted = [];
-    this.asked.axes = [this.across.value, this.upwards.value];
+    this.asked.axes = this.selects.map((select) => select.value);
   }
 
-  // Another axis; the name of the other one changes places with it.
+  /** Another axis; the name of the other one changes places with it. @param {number} n */
   turned(n) {
-    const selects = [this.across, this.upwards];
-    if (selects[n].value === this.asked.axes[1 - n]) selects[1 - n].value = this.asked.axes[n];
-    this.asked.axes = selects.map((select) => select.value);
+    const { selects, asked } = this;
+    if (selects[n].value === asked.axes[1 - n]) selects[1 - n].value = asked.axes[n];
+    asked.axes = selects.map((select) => select.value);
     this.settled();
   }
 
-  // Drawn from what is asked and answered; reading: whether the library is still reading the numbers.
+  /**
+   * Drawn from what is asked and answered.
+   * @param {boolean} reading whether the library still reads numbers
+   */
   follow(reading) {
-    const { asked: { axes }, answers } = this, { answer, asked } = answers.answered.charted ?? {};
+    const { asked: { axes }, answers, regions } = this, { answer, asked } = answers.answered.charted ?? {};
     if (answers.waiting("charted")) return;
-    if (asked !== this.loaded) this.load(answer, asked);
-    const needed = (this.program?.names ?? []).filter((name) => !axes.includes(name)).map((name) => [name, this.value(name)]);
+    if (asked !== regions.loaded) {
+      this.program = answer?.steps ? answer : null;
+      regions.load(this.program, axes, asked);
+    }
+    /** @type {[string, number][]} */
+    const needed = (this.program?.names ?? []).filter((/** @type {string} */ name) => !axes.includes(name))
+      .map((/** @type {string} */ name) => [name, this.value(name)]);
     const unread = needed.some(([, value]) => !Number.isFinite(value));
-    const refused = this.refused(answer, unread && !reading);
+    const refused = this.refused(answer, unread && !reading), ends = this.scales().map((scale) => scale.ends);
     this.why.textContent = refused;
     this.drawn.hidden = Boolean(refused);
-    this.paint(refused ? null : unread ? undefined : { chart: this.loaded, ends: this.ends(),
-      numbers: Object.fromEntries(needed), colours: this.colours });
+    const zoomed = this.scales().some((scale) => String(scale.ends) !== String(scale.whole));
+    this.whole.hidden = Boolean(refused) || !zoomed;
+    regions.want(refused ? null : unread ? undefined : { ends, numbers: Object.fromEntries(needed) });
     this.draw();
   }
 
-  // A number of the page as a double, NaN of one that is none.
+  /** A number of the page as a double, NaN of one that is none. @param {string} name */
   value(name) {
     return possible(name, this.asked.values[name]);
   }
 
-  // From where to where an axis goes, as it is written.
-  ends() {
-    return this.asked.axes.map((name) => this.asked.ends[name]);
+  /** The scales of the two axes. @returns {Scale[]} */
+  scales() {
+    return this.asked.axes.flatMap((name) => this.asked.scales.get(name) ?? []);
   }
 
-  // Why there is no picture; "" if there is one.
+  /**
+   * Why there is no picture; "" if there is one.
+   * @param {any} answer
+   * @param {boolean} unread
+   * @returns {string}
+   */
   refused(answer, unread) {
     if (!answer) return "no chart: the scene has no answer";
-    return this.broken ?? answer.why ?? answer.error
-      ?? (unread ? "a picture needs numbers, and possible ones" : this.colours ? "" : "no chart without its colours");
+    const why = this.broken || (answer.why ?? answer.error ?? "");
+    if (why) return why;
+    if (unread) return "a picture needs numbers, and possible ones";
+    return this.regions.colours.length ? "" : "no chart without its colours";
   }
 
-  // A program, or none.
-  load(found, asked) {
-    this.program = this.shown = this.painted = this.last = null;
-    this.loaded = asked;
-    if (!found?.steps) return;
-    this.program = found;
-    this.worker.postMessage({ chart: found, axes: this.asked.axes, width: SIZE });
-  }
-
-  // What the picture is asked for; those of numbers before are shown on the way to it.
-  paint(question) {
-    const asked = question && JSON.stringify(question);
-    if (asked === this.painting) return;
-    this.painting = asked;
-    if (asked) this.worker.postMessage({ ...question, ends: question.ends.map((pair) => pair.map(Number)), asked });
-  }
-
-  come({ pixels, ends, chart, asked }) {
-    if (chart !== this.loaded) return;                  // of another chart
-    this.shown = ends;
-    this.painted = asked;
-    this.picture.getContext("2d").putImageData(new ImageData(pixels, SIZE), 0, 0);
-    this.settled();
-  }
-
-  // Red, green, blue and 255 of each swatch, null if they are not all different; the colour of what is drawn over
-  // the picture.
+  /**
+   * Takes the colours of the page: red, green, blue and 255 of each swatch, none if they are not all
+   * different; those of what is drawn over the picture and beside it.
+   */
   inks() {
-    const colours = COLOURS.map((name) => {
-      const style = getComputedStyle(this.place.querySelector(`.key .${name}`));
-      return [...style.backgroundColor.match(/\d+/g).slice(0, 3).map(Number), 255];
-    });
-    this.colours = new Set(colours.map(String)).size === COLOURS.length ? colours : null;
-    this.ink = getComputedStyle(this.canvas).color;
+    /** @param {string} place @returns {any} */
+    const style = (place) => getComputedStyle(/** @type {Element} */ (this.place.querySelector(place)));
+    const colours = COLOURS.map((name) => style(`.key .${name}`).backgroundColor)
+      .map((colour) => [...(colour.match(/\d+/g) ?? []).slice(0, 3).map(Number), 255]);
+    this.regions.colours = new Set(colours.map(String)).size === COLOURS.length ? colours : [];
+    this.colours = { ink: style("canvas").color, quiet: style("#ends").color,
+      paper: style(".key .unknown").backgroundColor };
+    this.regions.paint(this.regions.image);
+    this.drawing = "";
+  }
+
+  /** What is drawn. @param {Ends[]} ends @param {any} image @returns {Plot} */
+  plot(ends, image) {
+    const [across, upwards] = this.asked.axes, texts = this.scales().map(({ of }) => of.text);
+    return { image, axes: ends.map((pair, n) => ({ text: texts[n], ends: pair })),
+      points: this.answers.of("edges")?.points ?? [], here: [this.value(across), this.value(upwards)] };
   }
 
   draw() {
-    const { asked: { axes }, answers } = this, here = axes.map((name) => this.value(name));
-    const drawn = JSON.stringify([this.painted, answers.waiting("edges"), here]);
-    if (!this.shown || drawn === this.last) return;
-    this.last = drawn;
-    const context = this.canvas.getContext("2d"), [[left, right], [low, high]] = this.shown;
-    const place = ([x, y]) => [(x - left) / (right - left) * SIZE, SIZE - (y - low) / (high - low) * SIZE];
-    context.drawImage(this.picture, 0, 0);
-    context.fillStyle = context.strokeStyle = this.ink;
-    const found = answers.of("edges");
-    for (const point of found?.points ?? []) {
-      const [x, y] = place(point);
-      context.fillRect(x - 1, y - 1, 2, 2);
-    }
-    const [x, y] = place(here);
-    context.lineWidth = 2;
-    context.beginPath();
-    for (const [dx, dy] of [[1, 0], [-1, 0], [0, 1], [0, -1]]) {
-      context.moveTo(x + 3 * dx, y + 3 * dy);
-      context.lineTo(x + 11 * dx, y + 11 * dy);
-    }
-    context.stroke();
-    const [across, upwards] = axes;
-    this.place.querySelector("#ends").textContent = `${across} from ${left} to ${right} across, ${upwards} from ${low} to `
-      + `${high} upwards${found?.error ? `; no boundary is drawn: ${found.error}` : ""}`;
-    this.canvas.ariaLabel = `Chart of the verdict, ${across} across and ${upwards} upwards. The cross is at ${across} = `
-      + `${here[0]}, ${upwards} = ${here[1]}. Arrow keys move it.`;
+    const { answers, size, regions: { ends, image, shown } } = this, sharp = devicePixelRatio;
+    if (!ends || !size || answers.waiting("charted")) return;
+    const plot = this.plot(ends, image);
+    const drawing = JSON.stringify([shown, answers.waiting("edges"), plot.here, size, sharp]);
+    if (drawing === this.drawing) return;
+    this.drawing = drawing;
+    this.canvas.width = this.canvas.height = Math.round(size * sharp);
+    const context = this.canvas.getContext("2d");
+    context.scale(sharp, sharp);
+    paint(context, size, plot, this.colours);
+    this.say(plot);
   }
 
-  pointed({ offsetX, offsetY }) {
-    const { clientWidth, clientHeight } = this.canvas;
-    this.to(offsetX / clientWidth, 1 - offsetY / clientHeight);
+  /** The same in words. @param {Plot} plot */
+  say({ axes: [{ ends: [left, right] }, { ends: [low, high] }], here }) {
+    const [across, upwards] = this.asked.axes, error = this.answers.of("edges")?.error;
+    this.ends.textContent = `${across} from ${left} to ${right} across, `
+      + `${upwards} from ${low} to ${high} upwards` + (error ? `; no boundary is drawn: ${error}` : "");
+    this.canvas.ariaLabel = `Chart of the verdict, ${across} across and ${upwards} upwards. The ring is at `
+      + `${across} = ${here[0]}, ${upwards} = ${here[1]}. Arrow keys move it, + and - zoom.`;
   }
 
-  moved(event) {
-    const step = KEYS[event.key];
-    if (!step || !this.shown) return;
-    event.preventDefault();
-    const share = this.asked.axes.map((name, n) => {
-      const [from, to] = this.shown[n];
-      return (this.value(name) - from) / (to - from) + step[n] / STEPS;
-    });
-    this.to(...share);
+  /** For a picture of the page: in its colours of this moment; null if there is no chart. */
+  printed() {
+    const { regions } = this, image = element("canvas", { width: SIZE, height: SIZE });
+    if (this.drawn.hidden || !regions.ends) return null;
+    this.inks();
+    regions.paint(image);
+    const plot = this.plot(regions.ends, image), { colours } = this;
+    return { width: SIZE, height: SIZE, draw: (/** @type {any} */ to) => paint(to, SIZE, plot, colours) };
   }
 
-  // The point at these shares of the two axes; its numbers have so many digits as the picture can tell.
-  to(...shares) {
-    if (!this.shown || this.answers.waiting("charted")) return;   // no axes of another scene
+  /** Where the ring is in the picture; null if it is not on it. @returns {Point | null} */
+  point() {
+    const { ends, image } = this.regions;
+    if (!ends) return null;
+    const place = placed(this.size, ends, this.plot(ends, image).here);
+    return shares(this.size, place).every((share) => share >= 0 && share <= 1) ? place : null;
+  }
+
+  /**
+   * The point at these shares of the two axes; its numbers have so many digits as the picture can tell.
+   * @param {number[]} places
+   */
+  to(places) {
+    const { ends } = this.regions;
+    if (!ends || this.answers.waiting("charted")) return;             // no axes of another scene
     this.asked.axes.forEach((name, n) => {
-      const [from, to] = this.shown[n], share = Math.min(1, Math.max(0, shares[n]));
-      this.set(name, String(Number((from + (to - from) * share).toFixed(3))));
+      const [low, high] = ends[n], share = Math.min(1, Math.max(0, places[n]));
+      this.set(name, written(rounded(ends[n], low + (high - low) * share)));
     });
+  }
+
+  /**
+   * Other ends: what is at some shares of the two axes comes to others, and all is longer by a factor.
+   * @param {number[]} from
+   * @param {number[]} to
+   * @param {number} factor
+   */
+  stretch(from, to, factor) {
+    this.rescaled((scale, n) => stretched(scale, from[n], to[n], factor));
+  }
+
+  /** @param {(scale: Scale, n: number) => Scale} changed */
+  rescaled(changed) {
+    if (!this.regions.ends || this.answers.waiting("charted")) return;
+    this.scales().forEach((scale, n) => this.asked.scales.set(scale.of.name, changed(scale, n)));
+    this.settled();
   }
 }

@@ -132,6 +132,14 @@ def test_a_name_in_other_capitals_says_which_it_is_not(name, said):
     assert (f"; {said}: capitals count in names" in meaning) if said else ("capitals" not in meaning)
 
 
+def test_a_name_has_its_dimension_and_is_printed_without_latex():
+    """That of the table; a parameter of the user has none."""
+    found = {entry["name"]: entry for entry in answered("analysed", {**TOP, "potential": "c1*k3"})["names"]}
+    assert {name: (entry["text"], entry["dimension"]) for name, entry in found.items()} == {
+        "I1": ("I₁", [1, 0, 0]), "I3": ("I₃", [1, 0, 0]), "l": ("l", [1, 1, 0]),
+        "omega3_0": ("ω₃⁰", [0, 1, 0]), "c1": ("c₁", None)}
+
+
 def test_an_equilibrium_that_a_field_does_not_have_says_why():
     """The others are listed beside it."""
     found = answered("analysed", {"potential": "c1*k1 + c3*k3", "equilibrium": "E1"})

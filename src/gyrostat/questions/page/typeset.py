@@ -5,23 +5,26 @@ from typing import Any
 from sympy import MatrixBase
 
 from ...mechanics.scenes.system import System
-from ...notation import NOTATION, symbol
+from ...notation import NOTATION, dimension_of, symbol
 from ...printing.blocks import Block, Display, Heading, Rows
 from ...printing.formats.article import NARROW, inline
 from ...printing.formats.latex import display, tex
 from ...printing.formats.latex_names import Names
 from ...printing.formats.linebreaks import broken, width
 from ...printing.nomenclature import symbol_rows
+from ...typesetting import typeset as in_text
 
 OWN = {"M": "length of the total angular momentum", "sigma": "multiplier of |k| = 1"}
 
 
 def named(scene: System, name: str, names: Names) -> dict[str, Any]:
-    """A symbol, how it is set, what it is in a scene, and whether its numbers are positive."""
+    """A symbol, how it is set, what it is in a scene, whether its numbers are positive, and its dimension."""
     known = NOTATION[name].meaning if name in NOTATION else OWN.get(name, "")
     said = next((said for left, said in symbol_rows(scene, [name]).rows
                  if left in ((symbol(name),), (symbol(name), " > 0"))), (known,))
-    return {"name": name, "tex": tex(symbol(name), names), "positive": bool(symbol(name).is_positive),
+    dimension = dimension_of(name)
+    return {"name": name, "tex": tex(symbol(name), names), "text": in_text(name, style="text"),
+            "positive": bool(symbol(name).is_positive), "dimension": dimension and list(dimension),
             "meaning": "".join(map(str, said)) + _not_another(name)}
 
 

@@ -1,0 +1,67 @@
+// The ticks of a chart's axes: where they are, and that they can be read.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { fitting, ticked, titled } from "../../docs/try/views/axes.js";
+
+const texts = (ends, most = 5) => ticked(ends, most).ticks.map(({ text }) => text);
+const read = (text, power) => Number(text.replace("−", "-")) * 10 ** power;
+
+// Ends of every size, of both signs, wide and narrow.
+function* pairs() {
+  for (let size = -9; size <= 9; size++) {
+    for (const [low, high] of [[-5, 5], [0.05, 5], [1, 2.7], [-3.3, -0.2], [1.2291, 1.2391], [-1, 1], [0.0001, 0.01],
+      [-0.3, 7.77], [4.99, 5.01]]) yield [low * 10 ** size, high * 10 ** size];
+  }
+}
+
+test("ticks are inside, different, in order, 1, 2 or 5 times a power of ten apart", () => {
+  for (const ends of pairs()) {
+    for (const most of [3, 5, 8]) {
+      const { ticks, step } = ticked(ends, most), near = (ends[1] - ends[0]) * 1e-9;
+      assert.ok(["1", "2", "5"].includes((step * (1 + 1e-12)).toExponential(6)[0]), String(step));
+      assert.ok(Math.abs(step / Number(step.toPrecision(1)) - 1) < 1e-9);
+      assert.ok(ticks.length <= most + 1 && (most < 5 || ticks.length >= 2), `${ends}: ${ticks.length}`);
+      assert.equal(new Set(ticks.map(({ text }) => text)).size, ticks.length);
+      ticks.forEach(({ value }, n) => {
+        assert.ok(value >= ends[0] && value <= ends[1]);
+        if (n) assert.ok(Math.abs(value - ticks[n - 1].value - step) < near);
+      });
+    }
+  }
+});
+
+test("a tick says its number", () => {
+  for (const ends of pairs()) {
+    const { ticks, power } = ticked(ends, 6), near = (ends[1] - ends[0]) * 1e-9;
+    for (const { value, text } of ticks) {
+      assert.ok(Math.abs(read(text, power) - value) <= near, `${text} ${power} ${value}`);
+      assert.ok(text.length <= 8 && !/[e-]|^−?0\.?0*$/.test(text.replace(/^0$/, "")), text);
+    }
+  }
+});
+
+test("ticks are written as in a book", () => {
+  assert.deepEqual(texts([-5, 5]), ["−4", "−2", "0", "2", "4"]);
+  assert.deepEqual(texts([0.05, 5]), ["1", "2", "3", "4", "5"]);
+  assert.deepEqual(texts([-1, 1]), ["−1.0", "−0.5", "0", "0.5", "1.0"]);
+  assert.deepEqual(texts([0.0001, 0.01]), ["0.002", "0.004", "0.006", "0.008", "0.010"]);
+  assert.deepEqual(texts([-5e-6, 5e-6]), ["−4", "−2", "0", "2", "4"]);
+  assert.equal(ticked([-5e-6, 5e-6], 5).power, -6);
+});
+
+test("ticks do not overlap, at the width of a phone too", () => {
+  const room = (text) => 7 * text.length + 12;
+  for (const ends of pairs()) {
+    for (const length of [270, 400]) {
+      const { ticks, step } = fitting(ends, length, room), apart = step / (ends[1] - ends[0]) * length;
+      for (const { text } of ticks) assert.ok(room(text) <= apart + 1e-9, `${text} ${apart}`);
+      assert.ok(ticks.length >= 2, `${ends}`);
+    }
+  }
+});
+
+test("a title has the power of ten of its ticks", () => {
+  assert.equal(titled("l", -6), "l in 10⁻⁶");
+  assert.equal(titled("I₁", 12), "I₁ in 10¹²");
+  assert.equal(titled("ω₃⁰", 0), "ω₃⁰");
+});
