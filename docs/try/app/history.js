@@ -27,10 +27,8 @@ export class Entries {
     this.push = push;
     this.replace = replace;
     this.now = now;
-    /** @type {string | undefined} what the browser has */
-    this.written = undefined;
-    /** What it will have, once there is something on the page. */
-    this.address = "";
+    /** What the browser has, and what it will have. */
+    this.written = this.address = "";
     this.field = "";
     this.next = 0;
     this.fresh = false;
@@ -43,8 +41,6 @@ export class Entries {
    * @param {string} address
    */
   arrived(address) {
-    clearTimeout(this.later);
-    this.later = undefined;
     this.written = this.address = address;
     this.field = "";
     this.fresh = false;
@@ -53,11 +49,11 @@ export class Entries {
   /**
    * The address of what is on the page now.
    * @param {string} address
-   * @param {string} [by] what set another scene: the field in which it is typed, or "" for all else; none if the
-   * library has filled in what the visitor left open
+   * @param {string} [by] what set another scene: the field in which it is typed, or "" for all else; none if
+   * the library has filled in what the visitor left open
    */
   follow(address, by) {
-    const other = this.address && sceneOf(address) !== sceneOf(this.address);
+    const other = sceneOf(address) !== sceneOf(this.address);
     if (other && by !== undefined && (by === "" || by !== this.field)) {
       if (!this.fresh && this.later !== undefined) this.before();
       this.fresh = true;
@@ -75,7 +71,7 @@ export class Entries {
 
   write() {
     clearTimeout(this.later);
-    const { address, written } = this, push = this.fresh && sceneOf(address) !== sceneOf(written ?? "");
+    const { address, written } = this, push = this.fresh && sceneOf(address) !== sceneOf(written);
     this.later = undefined;
     this.fresh = false;
     if (address === written) return;

@@ -81,8 +81,9 @@ function update(pause = 0) {
     ? `${asked.axes.map((name) => `${name} = ${question.values[name]}`).join(", ")}: ${word(answer.verdict)}` : "";
   entries.follow(link(asked));
   modes.follow();
-  at("early").hidden = !KINDS.some((kind) => answers.of(kind) && answers.answered[kind].prepared);
-  sharing.follow(mark());
+  const early = KINDS.some((kind) => answers.of(kind) && answers.answered[kind].prepared);
+  at("early").hidden = !early;
+  sharing.follow(mark() || early);
 }
 
 /** A library that answers otherwise than when the page was built. @param {string} kind */

@@ -59,10 +59,11 @@ export class Modes {
 
   /** Arrows are the focused slider's; a text that is typed has its letters. @param {KeyboardEvent} event */
   key(event) {
-    const { key, target, altKey, ctrlKey, metaKey } = event, by = STEPS[key];
+    const { key, altKey, ctrlKey, metaKey } = event, by = STEPS[key];
+    const typed = /** @type {Element} */ (event.target);
     if (this.asked.show !== "lecture" || altKey || ctrlKey || metaKey) return;
     if (key === "Escape") this.leave();
-    if (!by || key.length === 1 && /** @type {Element} */ (target).matches("input:not([type=range]), select, textarea")) return;
+    if (!by || key.length === 1 && typed.matches("input:not([type=range])")) return;
     event.preventDefault();
     this.step(by);
   }

@@ -2,6 +2,7 @@
 import { paint } from "../views/body-picture.js";
 import { LIGHT } from "../views/colours.js";
 import { composed, named, svg } from "../views/picture.js";
+import { escaped } from "../views/svg.js";
 import { copied } from "./copies.js";
 import { line, link } from "./scene.js";
 
@@ -9,8 +10,8 @@ import { line, link } from "./scene.js";
 
 /** @param {string} id @returns {any} */
 const at = (id) => document.getElementById(id);
-/** @param {string} text */
-const quoted = (text) => text.replace(/[&"<>]/g, (sign) => `&#${sign.charCodeAt(0)};`);
+/** @param {string} selector @returns {any[]} */
+const all = (selector) => [...document.querySelectorAll(selector)];
 const PAPER = ["svg", "png", "print"], SHARP = 2;        // pixels of a picture for each of its units
 const SIZE = 400;                                       // of a body in it
 const ACROSS = 56;                                      // letters of print, each as wide as it is high, on A4
@@ -21,12 +22,10 @@ export const title = () => at("example").selectedOptions[0]?.textContent ?? "";
 /** The whole address of a mode of the page. @param {Asked} asked @param {string} show */
 export const address = (asked, show) => new URL(link({ ...asked, show }), location.href).href;
 
-/** A page of another site shows the scene with this. @param {Asked} asked */
-function embedded(asked) {
-  const name = quoted(`${title() || line(asked)} (gyrostat)`);
-  return `<iframe src="${quoted(address(asked, "embed"))}" width="720" height="420" title="${name}" loading="lazy" `
-    + 'style="border: 1px solid #d0d7de"></iframe>';
-}
+/** With this a page of another site shows the scene. @param {Asked} asked */
+const embedded = (asked) => `<iframe src="${escaped(address(asked, "embed"))}" width="720" height="420" `
+  + `title="${escaped(title() || line(asked))} (gyrostat)" loading="lazy" `
+  + 'style="border: 1px solid #d0d7de"></iframe>';
 
 /** @param {import("../views/picture.js").Seen} seen */
 function painted(seen) {
@@ -53,9 +52,9 @@ export class Sharing {
     this.waiting = true;
     /** @type {any} */
     this.given = null;
-    for (const button of document.querySelectorAll("[data-copy]")) {
-      /** @type {any} */ (button).onclick = () => {
-        asked.copying = button.getAttribute("data-copy") ?? "";
+    for (const button of all("[data-copy]")) {
+      button.onclick = () => {
+        asked.copying = button.dataset.copy;
         this.given = null;
         update();
       };
@@ -63,15 +62,15 @@ export class Sharing {
     window.onbeforeprint = () => this.paper();
   }
 
-  /** Gives what is asked for when it has come. @param {boolean} waiting whether something on the page is marked */
+  /** Gives what is asked for when it has come. @param {boolean} waiting whether something is marked */
   follow(waiting) {
     const { asked, answers } = this, kind = asked.copying;
     this.waiting = waiting;
     if (PAPER.includes(kind)) {
       if (!waiting) this.take(kind);
     } else if (kind) {
-      const found = kind === "link" ? { link: address(asked, "") } : kind === "embed" ? { embed: embedded(asked) }
-        : answers.of("copied");
+      const here = { link: () => address(asked, ""), embed: () => embedded(asked) }[kind];
+      const found = here ? { [kind]: here() } : answers.of("copied");
       const given = found && (found[kind] ?? found.error);
       if (!found || given === this.given) return;
       this.given = given;
@@ -110,37 +109,34 @@ export class Sharing {
 
   /** @returns {import("../views/picture.js").Seen} */
   lit() {
-    const badge = document.querySelector("#verdict .badge");
-    const page = getComputedStyle(document.body), decided = this.answers.answered.decided;
-    /** @param {string} place @returns {string[]} */
-    const texts = (place) => [...document.querySelectorAll(place)].map((one) => one.textContent?.trim() ?? "");
-    const { body, chart } = this.views, charted = /** @type {any} */ (chart).printed?.() ?? null;
-    const views = [...body.body ? [{ width: SIZE, height: SIZE, draw: (/** @type {any} */ context) =>
-      paint(context, SIZE, body.picture, LIGHT) }] : [], ...charted ? [charted] : []];
-    const key = [...document.querySelectorAll("#charted .key li")].map((one) => ({ text: one.textContent?.trim() ?? "",
-      colour: getComputedStyle(/** @type {any} */ (one.querySelector("span"))).backgroundColor }));
-    const inks = { ink: page.color, paper: page.backgroundColor, quiet: getComputedStyle(at("source")).color,
-      line: getComputedStyle(at("decision")).borderTopColor };
-    return { title: title(), line: line(this.asked), views, key: charted ? key : [],
-      verdict: { text: badge && decided && !decided.answer.error ? badge.textContent ?? "" : "",
-        more: texts("#verdict .damped").join(), colour: badge ? getComputedStyle(badge).color : "" },
-      numbers: Object.entries(decided?.question.values ?? {}).map((pair) => pair.join(" = ")), inks };
+    const { views: { body: { picture }, chart }, answers: { answered: { decided } } } = this;
+    /** @param {Element} one */
+    const text = (one) => one.textContent?.trim() ?? "";
+    const [badge] = all("#verdict .badge"), charted = chart.printed();
+    const page = getComputedStyle(document.body);
+    /** @type {import("../views/picture.js").View[]} */
+    const views = charted ? [charted] : [];
+    if (picture) views.unshift({ width: SIZE, height: SIZE, draw: (to) => paint(to, SIZE, picture, LIGHT) });
+    return { title: title(), line: line(this.asked), views,
+      verdict: { text: badge && decided && !decided.answer.error ? text(badge) : "",
+        more: all("#verdict .damped").map(text).join(), colour: badge ? getComputedStyle(badge).color : "" },
+      key: charted ? all("#charted .key li").map((item) => ({ text: text(item),
+        colour: getComputedStyle(item.querySelector("span")).backgroundColor })) : [],
+      numbers: Object.entries(decided?.question.values ?? {}).map((pair) => pair.join(" = ")),
+      inks: { ink: page.color, paper: page.backgroundColor, quiet: getComputedStyle(at("source")).color,
+        line: getComputedStyle(at("decision")).borderTopColor } };
   }
 
-  /** The picture on paper; where answers are marked, a sentence. */
+  /** The picture on paper, or why there is none; formulas that are wider than it become smaller. */
   paper() {
-    const seen = this.seen();
-    if (this.waiting || !seen.verdict.text) {
-      at("printed").textContent = "Something had no answer yet when this page was printed: its pictures are left out.";
-    } else {
-      const picture = new DOMParser().parseFromString(svg(seen), "image/svg+xml").documentElement;
-      at("printed").replaceChildren(picture);
-    }
-    for (const formula of /** @type {any} */ (document.querySelectorAll("#because .display, #derived .display"))) {
+    const seen = this.seen(), { documentElement } = new DOMParser().parseFromString(svg(seen), "image/svg+xml");
+    at("printed").replaceChildren(!this.waiting && seen.verdict.text ? documentElement
+      : "The page had no answer yet when it was printed: its pictures are left out.");
+    for (const formula of all("#because .display, #derived .display")) {
       const parts = [...formula.querySelectorAll(".base")].map((part) => part.getBoundingClientRect());
       const wide = Math.max(...parts.map(({ right }) => right)) - Math.min(...parts.map(({ left }) => left));
       const letters = wide / parseFloat(getComputedStyle(formula).fontSize);
-      formula.style.setProperty("--fit", letters > ACROSS ? String(ACROSS / letters) : "1");
+      formula.style.setProperty("--fit", Math.min(1, ACROSS / letters));
     }
   }
 }

@@ -16,9 +16,10 @@ import { Svg } from "./svg.js";
 const WIDE = 880, MARGIN = 24, GAP = 16;
 const FAMILY = "system-ui, sans-serif", LETTER = 0.53;   // the width of a letter, of its height
 
-/** A text in lines of at most so many letters, broken at its spaces. @param {string} text @param {number} most */
+/** A text in lines of so many letters, broken at its spaces. @param {string} text @param {number} most */
 function broken(text, most) {
-  const lines = [""], words = text.split(/ +/).flatMap((word) => word.match(new RegExp(`.{1,${most}}`, "gu")) ?? []);
+  const lines = [""], part = new RegExp(`.{1,${most}}`, "gu");
+  const words = text.split(/ +/).flatMap((word) => word.match(part) ?? []);
   for (const word of words) {
     const longer = `${lines.at(-1)} ${word}`.trim();
     if (longer.length <= most) lines[lines.length - 1] = longer;
@@ -56,11 +57,12 @@ export function composed(seen) {
   seen.views.forEach(({ width, height, draw }, n) => {
     const factor = wide / width;
     steps.push((context) => {
-      context.save();
-      context.translate(MARGIN + n * (wide + GAP), begun);
+      const left = MARGIN + n * (wide + GAP);
+      context.translate(left, begun);
       context.scale(factor, factor);
       draw(context);
-      context.restore();
+      context.scale(1 / factor, 1 / factor);
+      context.translate(-left, -begun);
     });
     top = Math.max(top, begun + Math.ceil(height * factor) + 12);
   });
@@ -90,7 +92,7 @@ export function composed(seen) {
   } };
 }
 
-/** As SVG. @param {Seen} seen @param {(image: any) => string} [encoded] a data URL of an image, outside a browser */
+/** As SVG. @param {Seen} seen @param {(image: any) => string} [encoded] a data URL, outside a browser */
 export function svg(seen, encoded) {
   const { width, height, draw } = composed(seen);
   const picture = new Svg(width, height, [seen.title || seen.line, seen.verdict.text].join(": "), encoded);

@@ -1,12 +1,9 @@
 // A picture as SVG: it is drawn by methods of a canvas's 2D context, and outside a browser too.
 
-/** What save() keeps, as a canvas does. */
-const KEPT = ["fillStyle", "strokeStyle", "lineWidth", "globalAlpha", "font", "textAlign", "textBaseline", "dash",
-  "scaled", "left", "top"];
-/** How far the line of a text is below its place, in heights of its letters. @type {Record<string, number>} */
-const BELOW = { alphabetic: 0, middle: 0.35, top: 0.8, bottom: -0.2 };
+/** How far below its place the line of a text is, of its letters' height. @type {Record<string, number>} */
+const BELOW = { alphabetic: 0, middle: 0.35 };
 /** @type {Record<string, string>} */
-const ANCHORS = { left: "start", start: "start", center: "middle", right: "end", end: "end" };
+const ANCHORS = { left: "start", center: "middle", right: "end" };
 const FONT = /^(?:(italic) )?(?:(normal|bold|\d+) )?([\d.]+)px (.+)$/;
 // What no XML may have: control characters and halves of a pair of surrogates.
 const FORBIDDEN = /(?![\t\n\r])[\p{Cc}\p{Cs}\ufffe\uffff]/gu;
@@ -35,24 +32,14 @@ export class Svg {
     this.parts = [];
     /** @type {string[]} */
     this.steps = [];
-    /** @type {any[]} */
-    this.saved = [];
     this.fillStyle = this.strokeStyle = "#000000";
     this.lineWidth = this.globalAlpha = this.scaled = 1;
     this.left = this.top = 0;
     this.font = "10px sans-serif";
-    this.textAlign = "start";
+    this.textAlign = "left";
     this.textBaseline = "alphabetic";
     /** @type {number[]} */
     this.dash = [];
-  }
-
-  save() {
-    this.saved.push(Object.fromEntries(KEPT.map((name) => [name, /** @type {any} */ (this)[name]])));
-  }
-
-  restore() {
-    Object.assign(this, this.saved.pop());
   }
 
   /** @param {number} x @param {number} y */
@@ -94,20 +81,20 @@ export class Svg {
     this.steps.push("Z");
   }
 
-  /** SVG has no arc from a point to itself: each is drawn in two.
-   * @param {number} x @param {number} y @param {number} radius @param {number} from @param {number} to clockwise */
-  arc(x, y, radius, from, to) {
-    const whole = 2 * Math.PI, angle = to - from >= whole ? whole : ((to - from) % whole + whole) % whole;
-    const length = round(radius * this.scaled);
-    /** @param {number} t */
-    const at = (t) => this.place(x + radius * Math.cos(t), y + radius * Math.sin(t));
-    this.lineTo(x + radius * Math.cos(from), y + radius * Math.sin(from));
-    for (const part of [0.5, 1]) this.steps.push(`A${length} ${length} 0 0 1 ${at(from + part * angle)}`);
+  /** A circle, from its point at an angle and back there; SVG has no arc from a point to itself, so in two.
+   * @param {number} x @param {number} y @param {number} radius @param {number} from */
+  arc(x, y, radius, from) {
+    const a = radius * Math.cos(from), b = radius * Math.sin(from), length = round(radius * this.scaled);
+    this.lineTo(x + a, y + b);
+    for (const way of [-1, 1]) {
+      this.steps.push(`A${length} ${length} 0 0 1 ${this.place(x + way * a, y + way * b)}`);
+    }
   }
 
   /** @param {string} name @param {Record<string, string>} attributes @param {string} [content] */
   add(name, attributes, content) {
-    const all = Object.entries({ ...attributes, ...this.globalAlpha < 1 && { opacity: round(this.globalAlpha) } });
+    const opacity = this.globalAlpha < 1 && { opacity: round(this.globalAlpha) };
+    const all = Object.entries({ ...attributes, ...opacity });
     const head = `<${name}${all.map(([key, value]) => ` ${key}="${escaped(value)}"`).join("")}`;
     this.parts.push(content === undefined ? `${head}/>` : `${head}>${escaped(content)}</${name}>`);
   }
@@ -122,7 +109,7 @@ export class Svg {
     if (this.steps.length) this.add("path", { d: this.steps.join(""), fill: this.fillStyle });
   }
 
-  /** Where something is and how large. @param {number} x @param {number} y @param {number} width @param {number} height */
+  /** Where a box is. @param {number} x @param {number} y @param {number} width @param {number} height */
   box(x, y, width, height) {
     const { left, top, scaled } = this;
     return { x: round(left + scaled * x), y: round(top + scaled * y), width: round(scaled * width),
@@ -150,8 +137,9 @@ export class Svg {
   }
 
   toString() {
-    const { width, height } = this, title = escaped(this.title), size = `width="${width}" height="${height}"`;
-    return `<svg xmlns="http://www.w3.org/2000/svg" ${size} viewBox="0 0 ${width} ${height}" role="img" `
+    const { width, height } = this, title = escaped(this.title);
+    return `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${width} ${height}" role="img" `
+      + `width="${width}" height="${height}" `
       + `aria-label="${title}"><title>${title}</title>\n${this.parts.join("\n")}\n</svg>\n`;
   }
 }
