@@ -131,7 +131,7 @@ def test_a_version_that_does_not_come_whole_is_not_taken(folder, visitor):
     with served(folder) as address:
         page = kept(visitor, address)
         renewed(folder)
-        (folder / "app" / "notices.js").unlink()
+        (folder / "views" / "chart.js").unlink()
         assert page.evaluate(UPDATED) != "installed"
         page.close()
         page = visited(visitor, address)
