@@ -92,7 +92,7 @@ def test_random_scenes_have_the_librarys_answers(page, first):
     expected = [json.loads(session.answer(json.dumps(question))) for question in questions]
     for question, here, there in zip(questions, expected, found):
         assert json.loads(there) == here, question
-    assert sum("error" in answer for answer in expected) < len(expected) / 5
+    assert sum("error" in answer for answer in expected) < len(expected) / 4
 
 
 def test_what_is_refused_has_no_verdict(page):
