@@ -5,66 +5,27 @@ Usage: bench_page.py SITE, the folder that docs/try/build.py has filled; it prin
 and needs Playwright and Chromium.
 """
 import argparse
-import contextlib
-import functools
 import gzip
-import http.server
-import shutil
 import statistics
-import tempfile
-import threading
-import time
 from pathlib import Path
 from urllib.parse import urlsplit
 
 from measured import here_and_now
+from page_starts import CHROMIUM, CONFIRMED, NO_OTHER_HOST, bare, pair, profile, served, slowly
 from playwright.sync_api import sync_playwright
 
-CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser")
-NO_OTHER_HOST = "--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1"
+__all__ = ["CHROMIUM", "NO_OTHER_HOST", "profile", "served"]      # of the tests too
+RATIOS = {"prepared": ("prepared", "cold", 0.2), "cold": ("cold", "bare cold", 3.8),
+          "warm": ("warm", "bare warm", 2.6), "offline": ("offline", "warm", 1)}
 CHARTS = {"heavy gyrostat upright, one margin": (0, ("m0", "omega3_0")),      # of examples.json
           "heavy asymmetric body upright, five margins": (7, ("I2", "omega3_0"))}
 
 
-class Quiet(http.server.SimpleHTTPRequestHandler):
-    """Files, a connection kept for several, without a log."""
-
-    protocol_version = "HTTP/1.1"
-
-    def log_message(self, *_):
-        pass
-
-
-@contextlib.contextmanager
-def served(folder):
-    """The address of a folder."""
-    files = functools.partial(Quiet, directory=folder)
-    with http.server.ThreadingHTTPServer(("127.0.0.1", 0), files) as server:
-        server.daemon_threads = True
-        threading.Thread(target=server.serve_forever, daemon=True).start()
-        yield f"http://127.0.0.1:{server.server_port}/index.html"
-        server.shutdown()
-
-
-@contextlib.contextmanager
-def profile(playwright, **options):
-    """A browser that has never been anywhere."""
-    with tempfile.TemporaryDirectory() as folder:
-        context = playwright.chromium.launch_persistent_context(
-            folder, executable_path=CHROMIUM, args=["--no-sandbox", NO_OTHER_HOST], **options)
-        try:
-            yield context
-        finally:
-            context.close()
-
-
-def first_verdict(context, address):
-    """Seconds from the address to the first verdict, and milliseconds to that of another number."""
+def another(context, address):
+    """Milliseconds to the verdict of another number."""
     page = context.new_page()
-    began = time.perf_counter()
     page.goto(address)
-    page.wait_for_selector("body[aria-busy=false] .badge", timeout=60_000)
-    seconds = time.perf_counter() - began
+    page.wait_for_selector(CONFIRMED, timeout=60_000)
     changed = page.evaluate("""async () => {
         const times = [];
         for (let n = 0; n < 20; n++) {
@@ -78,14 +39,14 @@ def first_verdict(context, address):
         return times.sort((a, b) => a - b)[10];
     }""")
     page.close()
-    return seconds, changed
+    return changed
 
 
 def pictures(context, address, example, axes):
     """Pictures of a chart in a second, while I3 moves with every frame of the screen for three seconds."""
     page = context.new_page()
     page.goto(address)
-    page.wait_for_selector("body[aria-busy=false] .badge", timeout=60_000)
+    page.wait_for_selector(CONFIRMED, timeout=60_000)
     page.select_option("#example", str(example))
     page.wait_for_selector("body[aria-busy=false]")
     for place, name in zip(("#across", "#upwards"), axes):
@@ -120,27 +81,39 @@ def main():
     parser.add_argument("site")
     parser.add_argument("--quick", action="store_true")
     given = parser.parse_args()
-    cold, warm, changed, sent = [], [], [], set()
+    starts, changed, slow, sent = [], [], [], set()
     drawn = {each: [] for each in CHARTS}
-    with sync_playwright() as playwright, served(given.site) as address:
-        for _ in range(1 if given.quick else 5):
+    with sync_playwright() as playwright, served(given.site) as address, bare(given.site) as folder:
+        for _ in range(1 if given.quick else 9):
+            starts.append(pair(playwright, given.site, folder))
+        for _ in range(1 if given.quick else 3):
+            slow.append(slowly(playwright, given.site))
             with profile(playwright) as context:
                 context.on("request", lambda request: sent.add(urlsplit(request.url).path))
-                cold.append(first_verdict(context, address)[0])
-                seconds, milliseconds = first_verdict(context, address)
-                warm.append(seconds)
-                changed.append(milliseconds)
+                changed.append(another(context, address))
                 for each, (example, axes) in CHARTS.items():
                     drawn[each].append(pictures(context, address, example, axes))
     files = [Path(given.site, path.lstrip("/")) for path in sent if path.startswith("/")]
-    print(f"{here_and_now('playwright')}; medians of {len(cold)}.\n")
-    print("| first verdict | cold | warm | another number | transfer, what gzip makes smaller compressed |")
-    print("|---|---|---|---|---|")
-    print(f"| seconds | {statistics.median(cold):.2f} | {statistics.median(warm):.2f} | "
-          f"{statistics.median(changed) / 1e3:.3f} | {sum(map(compressed, files)) / 1e6:.1f} MB |\n")
+    print(f"{here_and_now('playwright')}; medians of {len(starts)}.\n")
+    told(starts)
+    received, first, last = (statistics.median(each) for each in zip(*slow, strict=True))
+    print(f"\nAt 200 kB/s the prepared verdict is there after {received / 1e3:.0f} kB and {first:.1f} s, the "
+          f"confirmed one after {last:.0f} s. Another number takes {statistics.median(changed) / 1e3:.3f} s.")
+    print(f"Transfer, what gzip makes smaller compressed: {sum(map(compressed, files)) / 1e6:.1f} MB.\n")
     print("| chart of 400 × 400 | pictures a second |\n|---|---|")
     for each, found in drawn.items():
         print(f"| {each} | {statistics.median(found):.0f} |")
+
+
+def told(starts):
+    """The seconds of each start, and the ratios with what they are to reach."""
+    print(f"| {' | '.join(starts[0])} |\n|{'---|' * len(starts[0])}")
+    medians = [statistics.median(each[name] for each in starts) for name in starts[0]]
+    print(f"| {' | '.join(f'{seconds:.2f}' for seconds in medians)} |\n")
+    print("| ratio | median | at most |\n|---|---|---|")
+    for name, (one, other, most) in RATIOS.items():
+        ratio = statistics.median(each[one] / each[other] for each in starts)
+        print(f"| {name}: {one} / {other} | {ratio:.2f} | {most} |")
 
 
 if __name__ == "__main__":

@@ -20,6 +20,7 @@ from typing import Any
 
 from licences import shipped
 from linked import linked
+from trimmed import lazy, named
 
 HERE = Path(__file__).parent
 MODULES = ("session.py", "examples.json")
@@ -58,6 +59,9 @@ def unpacked(files: dict[str, Path], stage: Path) -> None:
     for wheel in (*(files[name] for name in ("python-flint", "sympy", "mpmath")),
                   *(stage / "wheel").iterdir()):
         zipfile.ZipFile(wheel).extractall(stage / "packages")
+    flint = stage / "packages" / "flint" / "__init__.py"
+    names = named(stage / "packages" / package for package in ("sympy", "gyrostat"))
+    flint.write_text(lazy(flint.read_text(encoding="utf-8"), names), encoding="utf-8")
     for name in MODULES:
         shutil.copy(HERE / name, stage / "packages")
     zipfile.ZipFile(stage / "pyodide" / "package" / "python_stdlib.zip").extractall(stage / "python")
@@ -70,9 +74,9 @@ def archives(stage: Path) -> dict[str, dict[str, bytes]]:
     python = {name: (pyodide / name).read_bytes() for name in ("pyodide.asm.mjs", "pyodide.asm.wasm")}
     python |= {"python.zip": (stage / "python.zip").read_bytes(),
                "pyodide-lock.json": json.dumps({**lock, "packages": {}}).encode()}
+    loaded = [packages / name for name in json.loads((stage / "flint.json").read_text(encoding="utf-8"))]
     flint = {path.relative_to(packages).as_posix(): path.read_bytes()
-             for folder in ("flint", "python_flint.libs") for path in sorted((packages / folder).rglob("*"))
-             if path.suffix in (".so", ".py")}
+             for path in sorted([*loaded, *(packages / "python_flint.libs").glob("*.so")])}
     for name, data in linked({name: data for name, data in flint.items() if name.endswith(".so")}).items():
         flint[name] = reachable(data, stage) if "libs/" in name else data
     return {"python": python, "flint": flint,

@@ -42,7 +42,7 @@ def without_lines(code: CodeType) -> CodeType:
 def used() -> set[str]:
     """The folders of the packages of which the examples load a module, and all that answer questions.
 
-    python-flint is not among them, it has an archive of its own.
+    python-flint is not among them, it has an archive of its own; the list of its files is written beside.
     """
     sys.path.insert(0, f"{STAGE}/packages")
     session = importlib.import_module("session")
@@ -55,6 +55,13 @@ def used() -> set[str]:
                 sys.exit(f"{example['title']}, {want}: {said['error']}")
     for name in LATER:
         importlib.import_module(name)
+    flint = importlib.import_module("flint")
+    for name in flint.PLACES:
+        getattr(flint, name)
+    types = [Path(module.__file__ or "") for name, module in sys.modules.items()
+             if name.split(".")[0] == "flint"]
+    files = [path.relative_to(STAGE / "packages").as_posix() for path in types]
+    (STAGE / "flint.json").write_text(json.dumps(files), encoding="utf-8")
     loaded = {name if hasattr(module, "__path__") else name.rpartition(".")[0]
               for name, module in sys.modules.items()}
     packages = STAGE / "packages"

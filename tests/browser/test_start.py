@@ -131,7 +131,7 @@ def test_a_version_that_does_not_come_whole_is_not_taken(folder, visitor):
     with served(folder) as address:
         page = kept(visitor, address)
         renewed(folder)
-        (folder / "views" / "chart.js").unlink()
+        (folder / "app" / "notices.js").unlink()
         assert page.evaluate(UPDATED) != "installed"
         page.close()
         page = visited(visitor, address)

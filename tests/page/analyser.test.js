@@ -35,6 +35,7 @@ beforeEach(() => workers.splice(0));
 /** An analyser, its worker, and what the page is told. */
 function begun() {
   const told = [], analyser = new Analyser((news) => told.push(news));
+  analyser.start();
   return { analyser, told, worker: workers.at(-1) };
 }
 const asked = (worker) => worker.questions.map(({ question }) => JSON.parse(question));

@@ -102,3 +102,64 @@ test("a scene that is refused has no further questions", async () => {
   assert.ok(analysed);
   assert.deepEqual(new Set(Object.values(others)), new Set([null]));
 });
+
+/** Answers of which one is prepared. */
+function prepared(early) {
+  const open = [], differed = [];
+  const ask = (question) => new Promise((answer) => open.push({ question, answer }));
+  const answers = new Answers({ decided: ask }, () => {}, {}, async () => early, (kind) => differed.push(kind));
+  return { answers, open, differed };
+}
+const soon = () => new Promise((next) => setTimeout(next));
+
+test("what was prepared is shown and marked until the library confirms it", async () => {
+  const { answers, open, differed } = prepared({ verdict: "STABLE" });
+  answers.follow("decided", { I1: "1" });
+  await soon();
+  assert.equal(answers.of("decided").verdict, "STABLE");
+  assert.ok(answers.answered.decided.prepared);
+  const shown = answers.answered.decided;
+  open[0].answer({ verdict: "STABLE" });
+  await soon();
+  assert.equal(answers.answered.decided, shown);         // nothing is drawn again
+  assert.equal(shown.prepared, undefined);
+  assert.deepEqual(differed, []);
+});
+
+test("the library's answer takes the place of a prepared one that differs, and this is told", async () => {
+  const { answers, open, differed } = prepared({ verdict: "STABLE" });
+  answers.follow("decided", 1);
+  await soon();
+  open[0].answer({ verdict: "UNSTABLE" });
+  await soon();
+  assert.equal(answers.of("decided").verdict, "UNSTABLE");
+  assert.equal(answers.answered.decided.prepared, undefined);
+  assert.deepEqual(differed, ["decided"]);
+});
+
+test("a library that is lost leaves what was prepared, and its mark", async () => {
+  const { answers, open, differed } = prepared({ verdict: "STABLE" });
+  answers.follow("decided", 1);
+  await soon();
+  open[0].answer({ lost: true, error: "not running" });
+  await soon();
+  assert.equal(answers.of("decided").verdict, "STABLE");
+  assert.ok(answers.answered.decided.prepared);
+  assert.deepEqual(differed, []);
+});
+
+test("what was prepared comes too late behind the library, and beside another question", async () => {
+  let give;
+  const early = new Promise((resolve) => { give = resolve; });
+  const { answers, open } = prepared(early);
+  answers.follow("decided", 1);
+  open[0].answer({ verdict: "of the library" });
+  await soon();
+  answers.follow("decided", 2);
+  give({ verdict: "prepared" });
+  await soon();
+  assert.equal(answers.answered.decided.answer.verdict, "prepared");           // of 2, which was prepared too
+  open[1].answer({ verdict: "prepared" });
+  await soon();
+  assert.equal(answers.answered.decided.prepared, undefined);
+});

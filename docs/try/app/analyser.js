@@ -19,7 +19,7 @@ export class Analyser {
     /** @type {{ id: number, resolve: Resolve, late: ReturnType<typeof setTimeout> } | null} */
     this.asked = null;
     this.count = 0;
-    this.start();
+    this.ready = this.lost = false;
   }
 
   start() {

@@ -1,5 +1,5 @@
 // The page: what is asked stands in `asked`, what is answered in `answers`; every view is drawn from the two.
-import { word } from "../views/blocks.js";
+import { typeset, word } from "../views/blocks.js";
 import { Nearby } from "../views/body.js";
 import { Chart } from "../views/chart.js";
 import { fitted, placed } from "../views/sliders.js";
@@ -151,11 +151,11 @@ function restore({ table, axes = [], ends = {} }) {
 
 /** @param {import("./progress.js").News & { failed?: string }} news */
 function told({ failed, ...news }) {
+  if (news.version) return keep(news.version);
   const { share, text } = progress(news);
   at("starting").hidden = Boolean(news.ready || failed);
   at("progress").value = share ?? at("progress").value;
   if (!failed) at("status").textContent = text;
-  if (news.version) keep(news.version);
   const why = navigator.onLine ? `${failed}). A file is not on the server, or this browser is too old for it`
     : "the network is not there). It starts again when the network is back";
   notice("library", !failed ? "" : `The library could not be started (${why}. What is typed stays; the library runs on your own `
@@ -202,6 +202,7 @@ function arrive() {
 }
 
 document.fonts.onloadingerror = () => lost("A font", "formulas may look odd.");
+at("katex").onload = typeset;
 if (document.readyState === "complete") checked();
 else window.onload = checked;
 window.onhashchange = arrive;
@@ -214,3 +215,4 @@ try {
 form.list(examples);
 gallery(at("gallery"), examples, picked);
 arrive();
+analyser.start();                                        // after what is needed to show a prepared answer

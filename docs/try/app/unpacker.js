@@ -6,7 +6,12 @@ const decoder = import(new URL("../runtime/xz.js", import.meta.url).href);
 /** @param {string} name @param {string} integrity */
 const key = (name, integrity) => new URL(`../${name}?${integrity}`, self.location.href).href;
 
+/** @type {() => void} */
+let told;
+const started = new Promise((resolve) => { told = () => resolve(undefined); });
+
 onmessage = ({ data: { name, integrity } }) => {
+  if (!name) return told();                             // Python has started, there is time to keep something
   unpacked(name, integrity).catch((error) => postMessage({ failed: `${name}: ${error.message}` }));
 };
 
@@ -18,7 +23,9 @@ async function unpacked(name, integrity) {
   const data = await (ready ?? await opened(kept ?? await fetched(name, integrity), integrity)).arrayBuffer();
   const whole = ready ? null : new Response(data, { headers: { unpacked: "" } });
   postMessage({ data }, [data]);
+  await started;
   if (whole) await store?.put(key(name, integrity), whole).catch(() => {});     // a browser that is full starts without
+  postMessage({ kept: true });
   self.close();
 }
 

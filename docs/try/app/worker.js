@@ -18,6 +18,9 @@ WebAssembly.instantiateStreaming = (...given) => compile(...given).catch((error)
 
 /** @typedef {{ name: string, got: number, of: number }} Part how many bytes of a part have come */
 
+/** @type {{ unpacker: Worker, kept: Promise<void> }[]} */
+const unpackers = [];
+
 /**
  * Each archive of the runtime, by its name; what has come of them is told on the way.
  * @param {Record<string, { bytes: number, integrity: string }>} files
@@ -33,7 +36,11 @@ function archives(files) {
       event.preventDefault();
       reject(new Error(event.message || "unpacker.js: it did not come"));
     };
-    unpacker.onmessage = ({ data: { got, data, failed } }) => {
+    /** @type {(nothing: void) => void} */
+    let over;
+    unpackers.push({ unpacker, kept: new Promise((resolve) => { over = resolve; }) });
+    unpacker.onmessage = ({ data: { got, data, kept, failed } }) => {
+      if (kept) return over();
       if (failed) return reject(new Error(failed));
       parts[n].got = data ? parts[n].of : got;
       tell();
@@ -105,7 +112,10 @@ try {
   const { answer, version } = await started();
   self.onunhandledrejection = null;
   onmessage = ({ data: { id, question } }) => postMessage({ id, answer: answer(question) });
-  postMessage({ ready: true, version });
+  postMessage({ ready: true });
+  for (const { unpacker } of unpackers) unpacker.postMessage({});
+  await Promise.all(unpackers.map(({ kept }) => kept));
+  if (version) postMessage({ version });
 } catch (error) {
   fail(error);
 }

@@ -38,9 +38,20 @@ export function unstyled() {
 export function formula(latex, displayMode = false) {
   const place = element(displayMode ? "div" : "span", { className: displayMode ? "display" : "" });
   if (displayMode) place.tabIndex = 0;                  // what is wider than the page is scrolled by keys too
-  if (globalThis.katex) globalThis.katex.render(latex, place, { displayMode, output, throwOnError: false });
-  else place.append(element("code", {}, latex));
+  place.append(element("code", { className: "latex" }, latex));
+  if (globalThis.katex) set(place, latex);
   return place;
+}
+
+/** @param {HTMLElement} place @param {string} latex */
+const set = (place, latex) => globalThis.katex?.render(latex, place,
+  { displayMode: place.className === "display", output, throwOnError: false });
+
+/** KaTeX has come: what is there as it is written is set. */
+export function typeset() {
+  for (const code of document.querySelectorAll("code.latex")) {
+    if (code.parentElement) set(code.parentElement, code.textContent ?? "");
+  }
 }
 
 /** @param {Part[]} given */

@@ -11,11 +11,11 @@ from ...algebra.reals.exact import plain, rationalised, sign_of_constant
 from ...algebra.rings.matrices import adjugate, diagonal, immutable, leading_minors
 from ...algebra.text.numbers import exact_expression, shown
 from ...algebra.text.quantities import not_mixed
+from ...algebra.text.tensor_entries import as_first_written, entries_of, tensor_of
 from ...arguments import checked, several
 from ...errors import BodyError, ScopeError, brief
 from ...notation import Stored, Use, components, symbol
 from ...registry import check_names
-from .inertia_entries import as_first_written, entries_of, tensor_of
 
 PRODUCTS = ("negative", "positive")                    # of inertia: −∫ xy dm, ∫ xy dm
 

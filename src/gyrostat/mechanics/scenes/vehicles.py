@@ -8,13 +8,13 @@ from ...algebra.reals.exact import sign_of_constant
 from ...algebra.rings.matrices import leading_minors
 from ...algebra.rings.polynomials import lowest_terms
 from ...algebra.text.numbers import exact_expression, shown
+from ...algebra.text.tensor_entries import tensor_of
 from ...arguments import checked, several
 from ...errors import BodyError
 from ...notation import components
 from ...registry import check_names
 from .body import Gyrostat
 from .coupled import coupled_potential, unit_and_orthogonal
-from .inertia_entries import tensor_of
 from .system import System, system_of
 
 IMPULSE, DOWN = "p", "gamma"

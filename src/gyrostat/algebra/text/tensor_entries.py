@@ -4,10 +4,10 @@ from typing import Any
 
 from sympy import Expr, ImmutableMatrix
 
-from ...algebra.reals.exact import is_identically_zero, sign_of_constant
-from ...algebra.text.numbers import exact_expression, shown
-from ...algebra.text.tensors import rows_of
 from ...errors import ArgumentError, BodyError, article, brief
+from ..reals.exact import is_identically_zero, sign_of_constant
+from .numbers import exact_expression, shown
+from .tensors import rows_of
 
 
 def as_first_written(values: Sequence[Expr]) -> tuple[Expr, ...]:
