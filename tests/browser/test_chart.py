@@ -5,9 +5,11 @@ from fractions import Fraction
 from math import isfinite
 from pathlib import Path
 from random import Random
+from urllib.parse import urlencode
 
 import pytest
 import session
+from browser.drawn_scenes import drawn_scene
 from browser.driving import AGREE, at, cells, picked, pixels, shown, typed
 from mpmath import mp, mpf
 
@@ -202,3 +204,34 @@ def test_pictures_take_numbers_as_the_library_does(page):
         assert page.inner_text("#no-chart") == "a picture needs numbers, and possible ones"
         assert page.inner_text("#no-motion") == "a motion needs numbers, and possible ones"
     assert typed(page, "value-I1", ".5e1")[1] == "" and page.inner_text("#no-chart") == ""
+
+
+@pytest.mark.few(1)
+@pytest.mark.parametrize("first", range(0, 360, 12))
+def test_random_scenes_have_the_librarys_charts(page, first):
+    """In random pixels of random bodies, fields and satellites its verdicts, most of them known."""
+    seen, charts = Counter(), 0
+    for n in range(first, first + 12):
+        scene = drawn_scene(n)
+        page.evaluate("""hash => new Promise((done) => {
+            addEventListener("hashchange", () => done(), { once: true });
+            location.hash = hash;
+        })""", f"n={n}&{link_of(scene)}")
+        shown(page)
+        page.wait_for_selector("#picture[aria-busy=false]")
+        if page.is_hidden("#chart"):
+            assert page.inner_text("#no-chart")
+            continue
+        rng = Random(n)
+        drawn = drawn_at(page, [(rng.randrange(400), rng.randrange(400)) for _ in range(30)])
+        seen += pixels_agree(chosen(scene).report, drawn)
+        charts += 1
+    assert charts > 3 and sum(seen.values()) > 15 * charts, (charts, seen)
+
+
+def link_of(scene):
+    """As the page writes it."""
+    texts = {name: ", ".join(value) if isinstance(value, list) else value for name, value in scene.items()
+             if name != "values"}
+    numbers = [("set", f"{name}={value}") for name, value in scene["values"].items()]
+    return urlencode([*texts.items(), *numbers])

@@ -2,15 +2,13 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Answers, key } from "../../docs/try/app/answers.js";
-import { link, linked, nothing, scene, taken } from "../../docs/try/app/scene.js";
+import { nothing, scene, taken } from "../../docs/try/app/scene.js";
 import { KINDS, questions } from "../../docs/try/app/state.js";
 import { chance } from "./exact.js";
 
 const POTENTIALS = ["m0*k3", "m0*k3^2", "U(k3)", "", "refused(", "constructor*k3", "__proto__*k3"];
 const NAMES = { "m0*k3": ["I1", "m0"], "m0*k3^2": ["I1", "m0"], "U(k3)": ["I1", "dU"], "": ["I1"], "constructor*k3": ["constructor"],
   "__proto__*k3": ["__proto__"] };
-const HOSTILE = ["a&b=c", "#", "%", "%zz", "+", "a b", "k3;k3", "=", "==x", "set=I1=2", "𝛼", "\u202e", "\ud800", "<script>", "\"'`", "\n",
-  "null", "undefined", "toString", "__proto__", "constructor", "0", ""];
 
 /** What a library would say of a question: its kind and the question itself come back, so that they can be compared. */
 function answer(kind, question) {
@@ -81,22 +79,4 @@ test("in 1000 random interleavings no answer stands unmarked beside another ques
     for (const kind of KINDS) assert.equal(answers.waiting(kind), false, `seed ${seed}: ${kind} is never answered`);
   }
   assert.ok(shown > 10_000 && marked > 10_000, `${shown} shown, ${marked} marked`);
-});
-
-test("a link restores what is asked, whatever is typed", () => {
-  const dice = chance(5);
-  for (let n = 0; n < 300; n++) {
-    const text = () => dice.below(2) ? dice.one(HOSTILE) : "m0*k3";
-    const asked = Object.assign(nothing(), taken({ potential: text(), spin: dice.one(["pi3_0", "omega3_0"]),
-      equilibrium: dice.one(["E1", "E3", "axis 1"]), inertia: dice.one([["I1", "I1", "I3"], [["A", "0", "0"], ["0", "B", "0"], ["0", "0", "C"]]]),
-      gyrostatic_momentum: ["0", "0", "l"], orbit: dice.one([undefined, "omega0"]) }));
-    for (let m = 0; m < 3; m++) asked.values[text().replaceAll("=", "") || "x"] = text();
-    asked.axes = ["m0", "l"];
-    const { table, axes } = linked(link(asked).slice(1));
-    const again = Object.assign(nothing(), taken(table));
-    const known = (one) => JSON.parse(JSON.stringify([scene(one), Object.entries(one.values)]).replace(/\\ud800/g, "\ufffd"));
-    assert.deepEqual(known(again), known(asked));
-    assert.deepEqual(axes, asked.axes);
-    assert.equal(Object.getPrototypeOf(again.values), null);
-  }
 });

@@ -114,7 +114,7 @@ export function line({ texts, equilibrium }) {
  */
 export function link(asked) {
   const pairs = TEXTS.map((name) => [name, asked.texts[name]]);
-  pairs.push(...Object.entries(given(asked)));
+  pairs.push(...Object.entries(given(asked)).map(([name, value]) => [name, asGiven(value)]));
   pairs.push(["axes", asked.axes.join()], ["spin", asked.spin],
     ...asked.axes.flatMap((name) => asked.scales.get(name) ?? [])
       .map(({ of, ends }) => ["ends", `${of.name}=${ends}`]),
