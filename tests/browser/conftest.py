@@ -38,7 +38,7 @@ else:
     def stranger(playwright):
         """A browser of its own, which keeps nothing and whose network may be lost."""
         with playwright.chromium.launch(**OPTIONS) as browser:
-            yield browser.new_context()
+            yield browser.new_context(service_workers="block")
 
     @pytest.fixture(scope="session")
     def context(playwright):
@@ -57,6 +57,8 @@ else:
         """The page with its first verdict."""
         page = context.new_page()
         page.goto(address)
+        page.wait_for_selector("#starting", state="hidden")
+        page.wait_for_selector("#early", state="hidden")
         page.wait_for_selector("body[aria-busy=false] .badge")
         page.click("#asked > summary")                 # the form is folded
         return page

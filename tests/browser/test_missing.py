@@ -69,6 +69,9 @@ def test_a_computation_that_fails_or_lasts_is_said_and_the_library_starts_again(
     page.add_init_script("delete window.OffscreenCanvas")
     page.clock.install()
     page.goto(address)
+    page.wait_for_selector("#starting", state="hidden")
+    page.wait_for_selector("#early", state="hidden")
+    page.wait_for_timeout(1000)                            # all that was asked is answered
     page.wait_for_selector("#chart[aria-label*='The ring']")
     assert shown(page) == ("Stable", "")
 
@@ -78,6 +81,7 @@ def test_a_computation_that_fails_or_lasts_is_said_and_the_library_starts_again(
     assert verdict == "verdict" and "out of memory" in wrong and "more simply" in wrong
     assert typed(page, "value-l", "0") == ("Stable", "")
 
+    page.click("#asked > summary")
     ended(page)
     assert typed(page, "potential", "m0*k3") == ("Stable", "") and page.is_hidden("#notice")
 

@@ -9,7 +9,7 @@ function visit() {
   let clock = 0;
   mock.timers.enable({ apis: ["setTimeout"] });
   const told = new Entries((address) => entries.push(address),
-    (address) => { entries[entries.length - 1] = address; }, () => clock);
+    (address) => { entries[entries.length - 1] = address; }, () => entries.at(-1), () => clock);
   const wait = (time) => {
     clock += time;
     mock.timers.tick(time);
@@ -102,6 +102,7 @@ test("an address that the browser brings makes no second entry, and ends what wa
   told.follow(scene("a"));
   wait(OFTEN);
   told.follow(scene("b"), "potential");
+  entries[0] = scene("c");
   told.arrived(scene("c"));
   told.follow(`${scene("c")}&equilibrium=E1`);
   wait(OFTEN);
@@ -109,10 +110,28 @@ test("an address that the browser brings makes no second entry, and ends what wa
   end();
 });
 
+test("what was to be written is not, if the browser has just gone back", () => {
+  const { entries, told, wait, end } = visit();
+  told.follow(scene("a"));
+  wait(OFTEN);
+  told.follow(scene("b"), "");
+  wait(2 * OFTEN);
+  told.follow(scene("b", "&set=l%3D1"), "");
+  entries.pop();
+  wait(OFTEN);
+  told.arrived(scene("a"));
+  assert.deepEqual(entries, [scene("a")]);
+  end();
+});
+
 test("a browser is never given more than a hundred addresses in half a minute", () => {
   const { told, wait, end } = visit();
-  let taken = 0;
-  told.push = told.replace = () => { taken += 1; };
+  let taken = 0, last = "";
+  told.push = told.replace = (address) => {
+    taken += 1;
+    last = address;
+  };
+  told.here = () => last;
   for (let n = 0; n < 3000; n++) {
     told.follow(scene(`a${Math.floor(n / 7)}`, `&set=l%3D${n}`), "");
     wait(10);

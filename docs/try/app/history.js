@@ -21,11 +21,13 @@ export class Entries {
   /**
    * @param {(address: string) => void} push makes an entry
    * @param {(address: string) => void} replace gives the one that is there another address
+   * @param {() => string} here the address that the browser has: it may have gone back just now
    * @param {() => number} now milliseconds
    */
-  constructor(push, replace, now = () => performance.now()) {
+  constructor(push, replace, here, now = () => performance.now()) {
     this.push = push;
     this.replace = replace;
+    this.here = here;
     this.now = now;
     /** What the browser has, and what it will have. */
     this.written = this.address = "";
@@ -74,7 +76,7 @@ export class Entries {
     const { address, written } = this, push = this.fresh && sceneOf(address) !== sceneOf(written);
     this.later = undefined;
     this.fresh = false;
-    if (address === written) return;
+    if (address === written || written !== this.here()) return;
     this.next = this.now() + OFTEN;
     this.written = address;
     if (push) this.push(address);

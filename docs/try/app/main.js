@@ -46,7 +46,7 @@ const nearby = new Nearby(at("nearby"), asked, answers, changed, update);
 const sharing = new Sharing(asked, answers, { body: nearby, chart }, update);
 const modes = new Modes(asked, (by) => picked(at("example").selectedIndex + by), update);
 const entries = new Entries((address) => history.pushState(null, "", address),
-  (address) => history.replaceState(null, "", address));
+  (address) => history.replaceState(null, "", address), () => location.hash);
 const draw = cards(asked, form, changed);
 const SECTIONS = document.querySelectorAll("main section");
 
