@@ -1,15 +1,10 @@
 """Hands on the page: one finger scrolls, taps, drags, two zoom; mouse, wheel, keys; sliders and scales."""
-import json
-from pathlib import Path
 
 import pytest
-import session
 from browser.conftest import OPTIONS
 from browser.driving import at, picked, shown
 from browser.test_chart import drawn_at, pixels_agree, report_of
 
-CUBESAT = {"I1": "0.002", "I2": "0.0021", "I3": "0.0018", "l": "0", "omega0": "0.0011"}
-EXAMPLES = json.loads((Path(session.__file__).parent / "examples.json").read_text(encoding="utf-8"))
 WHERE = """() => {
     const { x, y, width } = document.getElementById("chart").getBoundingClientRect();
     return [x, y, width, scrollY, visualViewport.scale];
