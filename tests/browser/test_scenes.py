@@ -192,3 +192,25 @@ def test_another_equilibrium_is_not_shown_in_place_of_the_chosen_one(page):
         assert typed(page, field, text)[1] == ""
     assert page.is_checked("input[value=E1]")
     assert "E1 cannot be analysed" in typed(page, "potential", "sqrt(1 - k3)")[1]
+
+
+def test_a_spin_that_is_changed_there_and_back_has_its_number_in_its_field(page):
+    """The momentum is typed in between, before the library has answered."""
+    typed(page, "value-omega3_0", "3 rpm")
+    page.select_option("#spin", "pi3_0")
+    shown(page)
+    page.evaluate("""() => {
+        const change = (id, text, event) => {
+            const one = document.getElementById(id);
+            one.value = text;
+            one.dispatchEvent(new Event(event));
+        };
+        change("spin", "omega3_0", "change");
+        change("spin", "pi3_0", "change");
+        change("value-pi3_0", "1", "input");
+        change("spin", "omega3_0", "change");
+    }""")
+    shown(page)
+    assert page.input_value("#value-omega3_0") == "1/1.6"
+    page.select_option("#spin", "pi3_0")
+    assert typed(page, "value-pi3_0", "1")[1] == ""

@@ -153,7 +153,7 @@ export class Nearby {
     say(this.caption, moved.caption());
     this.drawn.hidden = !moved.body;
     this.button.hidden = !moved.flight;
-    this.told = 0;                                      // the state of other numbers is not left a moment longer
+    say(this.state, moved.said());                      // the state of other numbers is not left a moment longer
     this.draw();                                        // also what is out of sight, which may come into it
     this.run(this.running);
   }

@@ -57,12 +57,13 @@ function row({ name, tex, meaning }, asked, changed) {
   return element("div", { className: "value" }, label, text, slider, element("small", {}, meaning));
 }
 
-/** Sliders where their texts are, on their scales. @param {Element} place @param {Asked} asked */
-export function placed(place, { scales }) {
+/** Texts as they are asked, the spin's other number too, and sliders there. @param {Element} place @param {Asked} asked */
+export function placed(place, { scales, values }) {
   for (const row of /** @type {NodeListOf<HTMLElement>} */ (place.querySelectorAll(".value"))) {
     const text = /** @type {HTMLInputElement} */ (row.querySelector("[id]")), name = text.id.slice(6);
     const slider = /** @type {HTMLInputElement} */ (row.querySelector("[type=range]"));
     const { ends } = /** @type {import("./scales.js").Scale} */ (scales.get(name));
+    if (text.value !== values[name]) text.value = values[name];
     const value = number(name, text.value);
     [row.dataset.low, row.dataset.high] = ends.map(String);
     slider.max = String(steps(ends));
