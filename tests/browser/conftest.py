@@ -59,7 +59,7 @@ else:
         page.goto(address)
         page.wait_for_selector("#starting", state="hidden")
         page.wait_for_selector("#early", state="hidden")
-        page.wait_for_selector("body[aria-busy=false] .badge")
+        page.wait_for_selector("body[aria-busy=false]:has(#early[hidden]) .badge")
         page.click("#asked > summary")                 # the form is folded
         return page
 
@@ -69,5 +69,5 @@ else:
         started.set_viewport_size({"width": 1280, "height": 900})
         started.select_option("#example", "1")
         started.select_option("#example", "0")
-        started.wait_for_selector("body[aria-busy=false]")
+        started.wait_for_selector("body[aria-busy=false]:has(#early[hidden])")
         return started

@@ -11,7 +11,7 @@ AGREE = {"stable": {"STABLE"}, "unstable": {"UNSTABLE"}, "open": {"STABLE", "UNS
 
 def shown(page):
     """The word of the verdict and what is refused, when the page has answered."""
-    page.wait_for_selector("body[aria-busy=false]")
+    page.wait_for_selector("body[aria-busy=false]:has(#early[hidden])")
     return page.inner_text(".badge").split()[-1], page.inner_text("#error") + page.inner_text("#wrong")
 
 

@@ -130,7 +130,7 @@ def test_a_link_restores_what_is_on_the_page(page, context):
     verdict = shown(page)
     other = context.new_page()
     other.goto(page.input_value("#copied"))
-    other.wait_for_selector("body[aria-busy=false] .badge")
+    other.wait_for_selector("body[aria-busy=false]:has(#early[hidden]) .badge")
     assert shown(other) == verdict
     for field in ("potential", "inertia", "gyrostatic_momentum", "value-omega", "value-k3", "example",
                   "across", "upwards"):

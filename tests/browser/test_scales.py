@@ -36,7 +36,7 @@ def test_a_link_with_a_wheel_at_rest_has_a_scale_of_its_dimension(page, context,
     values = "".join(f"&set={name}%3D{text}" for name, text in CUBESAT.items())
     other.goto(f"{address}#potential=none&orbit=omega0&inertia=I1,I2,I3&gyrostatic_momentum=0,l,0"
                f"&equilibrium=earth-pointing&pointing=1,2,3{values}")
-    other.wait_for_selector("body[aria-busy=false] .badge")
+    other.wait_for_selector("body[aria-busy=false]:has(#early[hidden]) .badge")
     low, high = ends(other, "l")
     assert low == -high and 2.2e-6 <= high <= 2.2e-5
     other.close()

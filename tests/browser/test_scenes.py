@@ -71,7 +71,7 @@ def test_links_keep_what_an_equilibrium_is_made_with(page, context):
     other = context.new_page()
     page.click("[data-copy=link]")
     other.goto(page.input_value("#copied"))
-    other.wait_for_selector("body[aria-busy=false] .badge")
+    other.wait_for_selector("body[aria-busy=false]:has(#early[hidden]) .badge")
     assert shown(other) == verdict and latex(other, "conditions") == conditions
     assert other.input_value("#orbit") == "omega0" and other.input_value("#made") == "3, 2, 1"
     other.close()
@@ -117,7 +117,7 @@ def test_a_name_of_javascripts_own_objects_is_a_name(page, context):
     page.click("[data-copy=link]")
     other = context.new_page()
     other.goto(page.input_value("#copied"))
-    other.wait_for_selector("body[aria-busy=false] .badge")
+    other.wait_for_selector("body[aria-busy=false]:has(#early[hidden]) .badge")
     assert shown(other) == ("Unstable", "") and other.input_value("#value-constructor") == "2"
     other.close()
     assert context.errors[errors:] == []

@@ -104,7 +104,7 @@ def test_another_page_shows_a_scene(page, context, number, width, height):
     tab.eval_on_selector("iframe", "(one, [width, height]) => Object.assign(one, { width, height })",
                          [width, height])
     frame = tab.wait_for_selector("iframe").content_frame()
-    frame.wait_for_selector("body[aria-busy=false] .badge")
+    frame.wait_for_selector("body[aria-busy=false]:has(#early[hidden]) .badge")
     frame.wait_for_function("() => !document.querySelector('[aria-busy=true]')")
     assert frame.evaluate(LOOK) == ["#charted", "#nearby canvas", "#verdict", "#values"]
     assert frame.evaluate(FITS)
