@@ -67,6 +67,17 @@ test("an even factor that vanishes breaks a strict condition, and meets the othe
   }
 });
 
+test("of a polynomial that loses its digits nothing is said that is not so", () => {
+  const steps = [["name", "x"], ["name", "y"], ["number", 2 ** 20 + 0.1], ["add", 0, 2], ["subtract", 0, 2], ["multiply", 3, 4],
+    ["multiply", 2, 2], ["add", 5, 6], ["multiply", 1, 1], ["subtract", 7, 8]];            // (x + c)(x - c) + c² - y²
+  const chart = { steps, positive: [], sufficient: [[condition(9, true)]], necessary: [[condition(9, false)]] };
+  for (const [far, known] of [[2e-5, false], [0.1, true]]) {
+    const codes = drawn(chart, [[-far, far], [-far, 1.1 * far]]);
+    for (const [x, y, code] of codes) assert.ok(ALLOWED[code](truth(chart, x, y)), `${code} at ${x}, ${y}`);
+    assert.equal(codes.some(([, , code]) => code !== UNKNOWN), known);
+  }
+});
+
 test("no pixel of 300 random charts contradicts exact arithmetic, and most are known", () => {
   const dice = chance(7), places = [X, Y, ONE, RING, SLOPE, SADDLE, 9, 10];
   const steps = [...STEPS, ["negative", RING], ["divide", ONE, 5]];

@@ -27,6 +27,10 @@ test("a link restores what is asked, whatever is typed", () => {
   }
 });
 
+test("an address without a scene is none", () => {
+  for (const address of ["", "x=1", "inertia=1", "chart-title"]) assert.equal(linked(address), null);
+});
+
 test("an example is known by its scene, whatever its numbers", () => {
   EXAMPLES.forEach(({ scene }, n) => {
     assert.equal(EXAMPLES[numbered(scene, EXAMPLES)].scene.potential, scene.potential);
