@@ -25,7 +25,9 @@ from trimmed import lazy, named
 HERE = Path(__file__).parent
 MODULES = ("session.py", "examples.json")
 SCRIPTS = ("app", "views", "numerics")
-COMMENTS = re.compile(r"^[ \t]*(?://.*|/\*\*(?:(?!\*/)[\s\S])*\*/[ \t]*)\n", re.MULTILINE)
+# whole lines, and the ends of lines
+COMMENTS = re.compile(r"^[ \t]*(?://.*|/\*\*(?:(?!\*/)[\s\S])*\*/[ \t]*)\n|"
+                      r"[ \t]{2,}// [^\"'`\n]*$", re.MULTILINE)
 LIST, SERVICE = "files.json", "sw.js"
 
 
@@ -108,7 +110,7 @@ def module(script: str) -> str:
 
 
 def without_comments(script: str) -> str:
-    """A script without the lines that are nothing but comments, which nobody needs to fetch."""
+    """A script without its comments, which nobody needs to fetch, but those with quotes behind code."""
     return COMMENTS.sub("", script)
 
 
