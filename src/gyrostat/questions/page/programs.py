@@ -165,9 +165,9 @@ def steps_to(expressions: Iterable[Expr]) -> Data:
 def _refuse(report: Report, axes: Sequence[str]) -> None:
     """Refuse a chart whose axes are not two free names."""
     if len(report.required) < 2:
-        raise ScopeError("a chart is over two numbers, and a verdict here needs "
-                         f"{report.required[0] if report.required else 'none'} alone: write a letter in the "
-                         "place of another number")
+        needed = f"{report.required[0]} alone" if report.required else "no further number"
+        raise ScopeError(f"a chart is over two numbers, and a verdict here needs {needed}: write a letter in "
+                         "the place of a number that is given")
     margins = [*expressions(report.sufficient), *expressions(report.necessary)]
     names = {s.name for e in margins for s in e.free_symbols}
     if axes[0] == axes[1]:
