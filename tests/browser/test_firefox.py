@@ -29,7 +29,7 @@ def started(address):
     with firefox(**{"ui.systemUsesDarkTheme": 0}) as tab:
         tab.resize(1280, 900)
         tab.goto(address)
-        tab.until(QUIET)
+        tab.until(f"{QUIET} && document.getElementById('starting').hidden")
         yield tab
 
 
@@ -83,13 +83,15 @@ def test_examples_and_numbers_are_decided(tab):
 
 
 def test_chart_and_body_are_painted(tab):
-    """The colours of the chart are those of its key; the body has many."""
-    tab.until("document.getElementById('chart').checkVisibility()")
+    """The colours of the chart are those of its key; the body has several."""
+    tab.until("!document.querySelector('[aria-busy=true]')")
+    tab.until("['chart', 'motion'].every((id) => document.getElementById(id).checkVisibility())")
     tab.value("new Promise((done) => setTimeout(done, 500))")
     swatches, shares = tab.value(SWATCH), tab.value(COLOURS % "chart")
     known = {word: shares.get(f"{colour}/255", 0) for word, colour in swatches.items()}
     assert known["stable"] > 0.05 and known["unstable"] > 0.05, known
-    assert len(tab.value(COLOURS % "motion")) > 4
+    shares = tab.value(COLOURS % "motion")
+    assert len(shares) > 3 and shares.get("0,0,0/0", 0) < 0.95, shares
 
 
 def test_keys_reach_the_chart_and_move_its_point(tab):
