@@ -144,7 +144,8 @@ def test_the_library_answers_there_as_it_does_here(page):
     for example in EXAMPLES:
         for want in WANTED:
             found = page.evaluate("""async ([want, scene]) => {
-                window.other ??= new (await import("./app/analyser.js")).Analyser(() => {});
+                const { Analyser } = await import("./app/analyser.js");
+                if (!window.other) (window.other = new Analyser(() => {})).start();
                 return window.other.ask(want, scene);
             }""", [want, example["scene"]])
             assert found == json.loads(session.answer(json.dumps({"want": want, "scene": example["scene"]})))
