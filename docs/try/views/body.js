@@ -61,7 +61,7 @@ export class Nearby {
     }).observe(this.canvas);
     new ResizeObserver((entries) => {
       this.size = Math.round(entries[entries.length - 1].contentRect.width);
-      this.draw();
+      requestAnimationFrame(() => this.draw());         // what it changes is observed with the next frame
     }).observe(this.canvas);
     this.button.onclick = () => this.run(!this.running);
     this.dark = matchMedia("(prefers-color-scheme: dark)");

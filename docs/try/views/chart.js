@@ -7,10 +7,12 @@ import { paint, placed, shares } from "./plot.js";
 import { Regions, SIZE } from "./regions.js";
 import { rounded, stretched, written } from "./scales.js";
 
-/** @typedef {import("./scales.js").Ends} Ends */
-/** @typedef {import("./scales.js").Scale} Scale */
-/** @typedef {import("./plot.js").Plot} Plot */
-/** @typedef {[number, number]} Point */
+/**
+ * @typedef {import("./scales.js").Ends} Ends
+ * @typedef {import("./scales.js").Scale} Scale
+ * @typedef {import("./plot.js").Plot} Plot
+ * @typedef {[number, number]} Point
+ */
 
 const STEPS = 100;                                      // of an arrow key, from end to end
 // the swatches of the key, in the order of their codes in numerics/regions.js
@@ -63,8 +65,9 @@ export class Chart {
       this.inks();
       settled();
     };
-    new ResizeObserver(() => this.draw()).observe(this.canvas);
-    addEventListener("resize", () => this.draw());      // a pixel of the screen may be another one
+    const soon = () => requestAnimationFrame(() => this.draw());
+    new ResizeObserver(soon).observe(this.canvas);
+    addEventListener("resize", soon);                   // a pixel of the screen may be another one
   }
 
   /** Whether what is drawn is of another scene than the page's, or of other numbers. */
