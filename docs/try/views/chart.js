@@ -7,12 +7,8 @@ import { paint, placed, shares } from "./plot.js";
 import { Regions, SIZE } from "./regions.js";
 import { rounded, stretched, written } from "./scales.js";
 
-/**
- * @typedef {import("./scales.js").Ends} Ends
- * @typedef {import("./scales.js").Scale} Scale
- * @typedef {import("./plot.js").Plot} Plot
- * @typedef {[number, number]} Point
- */
+/** @typedef {import("./scales.js").Scale} Scale */
+/** @typedef {import("./plot.js").Plot} Plot */
 
 const STEPS = 100;                                      // of an arrow key, from end to end
 // the swatches of the key, in the order of their codes in numerics/regions.js
@@ -174,7 +170,7 @@ export class Chart {
     this.drawing = "";
   }
 
-  /** What is drawn. @param {Ends[]} ends @param {any} image @returns {Plot} */
+  /** What is drawn. @param {import("./scales.js").Ends[]} ends @param {any} image @returns {Plot} */
   plot(ends, image) {
     const [across, upwards] = this.asked.axes, texts = this.scales().map(({ of }) => of.text);
     return { image, axes: ends.map((pair, n) => ({ text: texts[n], ends: pair })),
@@ -214,7 +210,7 @@ export class Chart {
     return { width: SIZE, height: SIZE, draw: (/** @type {any} */ to) => paint(to, SIZE, plot, colours) };
   }
 
-  /** Where the ring is in the picture; null if it is not on it. @returns {Point | null} */
+  /** Where the ring is in the picture; null if it is not on it. @returns {[number, number] | null} */
   point() {
     const { ends, image } = this.regions;
     if (!ends) return null;
