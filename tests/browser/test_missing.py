@@ -22,7 +22,7 @@ SAID = {"katex/katex.min.js": "katex.min.js could not be loaded", "try.css": "tr
 
 def without(context, address, name, mode):
     """A page to which a file does not come, and which has not kept it."""
-    page = (context.browser.new_context() if name.endswith(".xz") else context).new_page()
+    page = context.browser.new_context(service_workers="block").new_page()
     if not name.startswith(OF_PYTHON):
         page.route("**/worker.js", lambda route: None)
     page.route(lambda url: url.partition("?")[0].endswith(f"/{name}"), lambda route: (
@@ -46,7 +46,7 @@ def test_each_file_that_does_not_come_is_said(stranger, address, mode):
         for name, page in pages.items():
             library = "The library could not be started" if name.startswith(OF_PYTHON) else ""
             assert leads_on(page, SAID.get(name, library or "This page has not started yet")), name
-            page.close()
+            page.context.close()
 
 
 @pytest.mark.parametrize("name", FONTS)

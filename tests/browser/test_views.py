@@ -104,6 +104,7 @@ def test_everybody_can_use_each_view(opened, context, address, name):
         page.goto(f"{address}#potential=m0*k3&show={what}")
         page.wait_for_selector("body[aria-busy=false]:has(#early[hidden]) .badge")
     drawn(page)
+    page.wait_for_timeout(500)                             # what was pale takes a quarter to be dark
     said = [f"{each['help']}: {node['html'][:200]}" for each in Axe().run(page).response["violations"]
             for node in each["nodes"]]
     if page is not opened:
