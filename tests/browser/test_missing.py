@@ -1,19 +1,22 @@
 """Whatever fails, a file, the network, a computation: the page says so in a sentence, and how to go on."""
 import json
 import os
+import shutil
 from pathlib import Path
 
 import pytest
+from page_starts import served
 from browser.driving import SLOW, shown, typed
 
 FOLDER = Path(os.environ["GYROSTAT_SITE"]) / "try"
 FILES = ["files.json", *json.loads((FOLDER / "files.json").read_text(encoding="utf-8"))]
 FONTS = [name for name in FILES if name.endswith(".woff2")]
 # without these the page is as it is meant to be, but later, or with less beside it
-SPARE = ("licences/", "prepared/", "pictures/", "sw.js", "index.html")
+NESTED = "app/unpacker.js"
+SPARE = ("licences/", "prepared/", "pictures/", "sw.js", "index.html", NESTED)
 FILES = [name for name in FILES if name not in FONTS and not name.startswith(SPARE)]
 TOGETHER = 8                                           # pages that are open at once
-OF_PYTHON = ("runtime/", "app/worker.js", "app/unpacker.js", "files.json")  # missed before Python runs
+OF_PYTHON = ("runtime/", "app/worker.js", "files.json")  # missed before Python runs
 SAID = {"katex/katex.min.js": "katex.min.js could not be loaded", "try.css": "try.css could not be loaded",
         "katex/katex.min.css": "katex.min.css could not be loaded",
         "examples.json": "examples.json could not be loaded", "modes.css": "modes.css could not be loaded",
@@ -47,6 +50,16 @@ def test_each_file_that_does_not_come_is_said(stranger, address, mode):
             library = "The library could not be started" if name.startswith(OF_PYTHON) else ""
             assert leads_on(page, SAID.get(name, library or "This page has not started yet")), name
             page.context.close()
+
+
+def test_a_thread_of_a_thread_that_does_not_come_is_said(stranger, tmp_path):
+    """Its file is missing on the server, for what a thread asks for is not routed here."""
+    shutil.copytree(FOLDER, tmp_path / "try")
+    (tmp_path / "try" / NESTED).unlink()
+    with served(tmp_path) as place:
+        page = stranger.new_page()
+        page.goto(place.replace("index.html", "try/index.html"))
+        assert leads_on(page, "The library could not be started")
 
 
 @pytest.mark.parametrize("name", FONTS)

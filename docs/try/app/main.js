@@ -202,7 +202,7 @@ function arrive() {
 }
 
 document.fonts.onloadingerror = () => lost("A font", "formulas may look odd.");
-at("katex").onload = typeset;
+at("formulas").onload = typeset;
 if (document.readyState === "complete") checked();
 else window.onload = checked;
 window.onhashchange = arrive;
