@@ -58,11 +58,12 @@ def served(folder, line=None):
     """The address of a folder; over a line, if there is one."""
     class Carried(Quiet):
         def copyfile(self, source, outputfile):
-            while line and (data := source.read(4096)):
-                line.carry(len(data))
-                outputfile.write(data)
-            if not line:
-                super().copyfile(source, outputfile)
+            with contextlib.suppress(ConnectionError):     # a page that is left asks no more
+                while line and (data := source.read(4096)):
+                    line.carry(len(data))
+                    outputfile.write(data)
+                if not line:
+                    super().copyfile(source, outputfile)
 
     files = functools.partial(Carried, directory=folder)
     with http.server.ThreadingHTTPServer(("127.0.0.1", 0), files) as server:
