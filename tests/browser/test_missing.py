@@ -5,8 +5,8 @@ import shutil
 from pathlib import Path
 
 import pytest
-from page_starts import served
 from browser.driving import SLOW, shown, typed
+from page_starts import served
 
 FOLDER = Path(os.environ["GYROSTAT_SITE"]) / "try"
 FILES = ["files.json", *json.loads((FOLDER / "files.json").read_text(encoding="utf-8"))]

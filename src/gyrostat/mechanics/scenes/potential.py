@@ -163,7 +163,7 @@ class Potential(Shown, Stored):
             not p.exp.is_Integer for p in self.expression.atoms(Pow)))
 
     def with_free_rotors(self) -> "Potential":
-        """Return the same potential of a body with free rotors, whose gravity is not that of its tensor."""
+        """Return the same potential for a body with free rotors."""
         return self
 
     def gradient(self) -> tuple[Expr, ...]:
