@@ -138,6 +138,7 @@ def test_the_path_is_in_the_colour_of_the_verdict(page):
         return page.evaluate(COUNTED, list(colour))
 
     stable, unstable = (11, 107, 58), (168, 32, 26)
+    page.wait_for_timeout(1000)                            # a path to be seen
     standing(page)
     assert count(stable) > 3 and not count(unstable)
     typed(page, "value-m0", "3")
