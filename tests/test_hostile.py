@@ -108,7 +108,7 @@ HEAVY, HUNG = (gs.assemble(BODY, gs.general_potential(field)) for field in ("k1+
     (gs.derivation.linearize, {"eq": UP}), (gs.relative_equilibria, {"scene": HUNG, "values": {"omega": 2}}),
     pytest.param(gs.relative_equilibria, {"scene": HEAVY, "values": {"omega": 2}}, marks=pytest.mark.slow),
     (gs.mechanics.angle_rates, {"omega": ("omega1", 0, 0), "convention": "zxz"}),
-    (gs.circular_orbit, {"rate": 1, "potential": 0, "rotors": ()}),
+    (gs.circular_orbit, {"rate": 1, "potential": 0}),
     (gs.underwater_vehicle, {"coupling": [[0, 0, 0], [0, 0, 0], [0, 0, 0]], "weight": (0, 0, 1)})])
 def test_hostile_values_at_some_doors(function, given):
     """Whatever is given for a body, a field, a point, names and numbers."""

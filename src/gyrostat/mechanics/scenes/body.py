@@ -158,7 +158,7 @@ class Gyrostat(Shown, Stored):
         return replace(self, inertia=inertia,
                        gyrostatic_momentum=[change(x) for x in self.gyrostatic_momentum])
 
-    def turned(self, R: ImmutableMatrix, moments: Sequence[Expr], rotor: Sequence[Expr]) -> "Gyrostat":
+    def _turned(self, R: ImmutableMatrix, moments: Sequence[Expr], rotor: Sequence[Expr]) -> "Gyrostat":
         """Return the body in axes x' = R x, where its moments and its rotor are known."""
         return replace(self, inertia=moments, gyrostatic_momentum=rotor)
 

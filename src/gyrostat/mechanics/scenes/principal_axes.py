@@ -73,7 +73,7 @@ def principal_axes(body: Gyrostat) -> tuple[Gyrostat, ImmutableMatrix]:
     if proved_sign(R.det(method="berkowitz")) == -1:
         R[0, :] = -R[0, :]
     turn = ImmutableMatrix(R)
-    return body.turned(turn, moments, [_short(x) for x in turn * Matrix(body.gyrostatic_momentum)]), turn
+    return body._turned(turn, moments, [_short(x) for x in turn * Matrix(body.gyrostatic_momentum)]), turn
 
 
 def _axes(about: ImmutableMatrix, level: Expr, moment: Expr) -> Iterator[list[Expr]]:

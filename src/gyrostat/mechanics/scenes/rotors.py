@@ -170,9 +170,9 @@ class GyrostatWithFreeRotors(Gyrostat):
         """Return the body with every entry changed, those of its free rotors too."""
         return self._with(super().changed(change), self.free.applyfunc(change))
 
-    def turned(self, R: ImmutableMatrix, moments: Sequence[Expr], rotor: Sequence[Expr]) -> Gyrostat:
+    def _turned(self, R: ImmutableMatrix, moments: Sequence[Expr], rotor: Sequence[Expr]) -> Gyrostat:
         """Return the body in axes x' = R x, where its moments and its rotor are known."""
-        return self._with(super().turned(R, moments, rotor), R * self.free * R.T)
+        return self._with(super()._turned(R, moments, rotor), R * self.free * R.T)
 
     @staticmethod
     def _with(body: Gyrostat, free: ImmutableMatrix) -> Gyrostat:
