@@ -146,6 +146,14 @@ def test_all_that_is_critical_is_in_the_window(found):
     assert all(abs(v) < right for v, *_ in [*diagram.poles, *diagram.cusps])
 
 
+@pytest.mark.filterwarnings("ignore:invalid value")
+@pytest.mark.parametrize("numbers", [{"p_psi": "1e-350"}, {"I1": 10**400}])
+def test_cuts_that_doubles_do_not_tell_apart_are_refused(numbers):
+    """The two rates meet at P² = 4 I1 m0 k3, at a tilt that is no longer a double, or nearly none."""
+    with pytest.raises(ScopeError, match="of so different sizes"):
+        energy_momentum(TOP, {"I1": 1, "I3": 1, "l": 0, "m0": 1, "p_psi": 1} | numbers)
+
+
 def test_what_cannot_be_drawn_is_refused():
     """U unspecified, a name that is missing, another body."""
     with pytest.raises(ScopeError, match="U.k3. is unspecified"):

@@ -13,8 +13,10 @@ from ...algebra.enclosures.floats import Array, in_floats
 from ...algebra.reals.exact import Point, evaluate, sign_of_constant
 from ...algebra.rings.polynomials import by_degree, by_factors
 from ...algebra.solving.plane_curves import PlaneCurve
+from ...algebra.solving.root_numbers import DIFFERENT
 from ...algebra.solving.roots import in_order, real_roots
 from ...algebra.solving.stations import between
+from ...errors import ScopeError
 from ...mechanics.equilibrium.reduction import K3, OMEGA, P, Reduction
 from ...mechanics.families.named_families import POLES
 from ...mechanics.scenes.system import System
@@ -93,13 +95,17 @@ class Precessions:
                 double: set[Expr]) -> list[Arc]:
         """Return one root over −1 < k3 < 1, cut where it ends or its verdict changes."""
         found: list[Arc] = []
-        for a, b in pairwise([S.NegativeOne,
-                              *in_order(list(infinite | double | {k3 for _, k3 in self.margins[n]})), S.One]):
+        cuts = [S.NegativeOne, *in_order(list(infinite | double | {k3 for _, k3 in self.margins[n]})), S.One]
+        for a, b in pairwise(cuts):
             middle = between(a, b)
             if not self._exists(self.components[n], middle):
                 continue
+            with np.errstate(invalid="ignore", divide="ignore"):
+                omega = float(rate(np.array([float(middle)]))[0])
+            if float(a) == float(b) or not np.isfinite(omega):      # no double lies between, or for the rate
+                raise ScopeError(DIFFERENT)
             k3 = _nodes(float(a), float(b), a in infinite or a == -1, b in infinite or b == 1)
-            verdict = self._verdict(middle, float(rate(np.array([float(middle)]))[0]))
+            verdict = self._verdict(middle, omega)
             ends = (None if a in infinite or a == -1 else a, None if b in infinite or b == 1 else b)
             arc = Arc(k3, rate(k3), verdict, ends, n, side)
             last = found[-1] if found else None
