@@ -19,11 +19,12 @@ from pathlib import Path
 from typing import Any
 
 from licences import shipped
-from linked import linked
-from trimmed import lazy, named
+from linked import linked, linking
+from trimmed import FIRST, lazy, named
 
 HERE = Path(__file__).parent
 MODULES = ("session.py", "examples.json")
+LOADER = "pyodide.asm.mjs"
 SCRIPTS = ("app", "views", "numerics")
 # whole lines, and the ends of lines
 COMMENTS = re.compile(r"^[ \t]*(?://.*|/\*\*(?:(?!\*/)[\s\S])*\*/[ \t]*)\n|"
@@ -61,28 +62,35 @@ def unpacked(files: dict[str, Path], stage: Path) -> None:
     for wheel in (*(files[name] for name in ("python-flint", "sympy", "mpmath")),
                   *(stage / "wheel").iterdir()):
         zipfile.ZipFile(wheel).extractall(stage / "packages")
-    flint = stage / "packages" / "flint" / "__init__.py"
-    names = named(stage / "packages" / package for package in ("sympy", "gyrostat"))
-    flint.write_text(lazy(flint.read_text(encoding="utf-8"), names), encoding="utf-8")
+    packages = stage / "packages"
+    names = named(packages / package for package in ("sympy", "gyrostat"))
+    for package, first in FIRST.items():
+        folder = packages.joinpath(*package.split("."))
+        text = lazy(folder, package, first, names if package == "flint" else None)
+        (folder / "__init__.py").write_text(text, encoding="utf-8")
     for name in MODULES:
         shutil.copy(HERE / name, stage / "packages")
     zipfile.ZipFile(stage / "pyodide" / "package" / "python_stdlib.zip").extractall(stage / "python")
+    (stage / "table").mkdir()
 
 
 def archives(stage: Path) -> dict[str, dict[str, bytes]]:
     """What the page unpacks before it answers: the interpreter; python-flint; all other packages."""
     pyodide, packages = stage / "pyodide" / "package", stage / "packages"
     lock = json.loads((pyodide / "pyodide-lock.json").read_text(encoding="utf-8"))
-    python = {name: (pyodide / name).read_bytes() for name in ("pyodide.asm.mjs", "pyodide.asm.wasm")}
+    python = {LOADER: linking((pyodide / LOADER).read_text(encoding="utf-8")).encode(),
+              "pyodide.asm.wasm": (pyodide / "pyodide.asm.wasm").read_bytes()}
     python |= {"python.zip": (stage / "python.zip").read_bytes(),
                "pyodide-lock.json": json.dumps({**lock, "packages": {}}).encode()}
-    loaded = [packages / name for name in json.loads((stage / "flint.json").read_text(encoding="utf-8"))]
+    libraries = [packages / name for name in json.loads((stage / "flint.json").read_text(encoding="utf-8"))]
     flint = {path.relative_to(packages).as_posix(): path.read_bytes()
-             for path in sorted([*loaded, *(packages / "python_flint.libs").glob("*.so")])}
+             for path in sorted([*libraries, *(packages / "python_flint.libs").glob("*.so")])}
     for name, data in linked({name: data for name, data in flint.items() if name.endswith(".so")}).items():
         flint[name] = reachable(data, stage) if "libs/" in name else data
     return {"python": python, "flint": flint,
-            "packages": {"packages.zip": (stage / "packages.zip").read_bytes()}}
+            "packages": {"finder.py": (HERE / "finder.py").read_bytes(),
+                         **{path.relative_to(stage / "table").as_posix(): path.read_bytes()
+                            for path in sorted((stage / "table").rglob("*")) if path.is_file()}}}
 
 
 def reachable(library: bytes, stage: Path) -> bytes:

@@ -1,4 +1,4 @@
-"""Run by Pyodide itself, in build.py: Python and its packages as two archives of bytecode.
+"""Run by Pyodide itself, in build.py: the bytecode of Python and its packages.
 
 A package stays where the examples load a module of it. Docstrings are left out, nobody reads them on the
 page; assertions stay.
@@ -42,7 +42,7 @@ def without_lines(code: CodeType) -> CodeType:
 def used() -> set[str]:
     """The folders of the packages of which the examples load a module, and all that answer questions.
 
-    python-flint is not among them, it has an archive of its own; the list of its files is written beside.
+    The libraries of python-flint have an archive of their own; their list is written beside.
     """
     sys.path.insert(0, f"{STAGE}/packages")
     session = importlib.import_module("session")
@@ -55,37 +55,59 @@ def used() -> set[str]:
                 sys.exit(f"{example['title']}, {want}: {said['error']}")
     for name in LATER:
         importlib.import_module(name)
-    flint = importlib.import_module("flint")
-    for name in flint.PLACES:
-        getattr(flint, name)
-    types = [Path(module.__file__ or "") for name, module in sys.modules.items()
+    for package in [module for module in sys.modules.values() if hasattr(module, "LAZILY")]:
+        for name in package.LAZILY:
+            getattr(package, name)
+    files = [Path(module.__file__ or "") for name, module in sys.modules.items()
              if name.split(".")[0] == "flint"]
-    files = [path.relative_to(STAGE / "packages").as_posix() for path in types]
-    (STAGE / "flint.json").write_text(json.dumps(files), encoding="utf-8")
+    libraries = [path.relative_to(STAGE / "packages").as_posix() for path in files if path.suffix == ".so"]
+    (STAGE / "flint.json").write_text(json.dumps(libraries), encoding="utf-8")
     loaded = {name if hasattr(module, "__path__") else name.rpartition(".")[0]
               for name, module in sys.modules.items()}
     packages = STAGE / "packages"
     answering = {path.parent.relative_to(packages).as_posix() for floor in FLOORS
                  for path in (packages / "gyrostat" / floor).rglob("__init__.py")}
-    return answering | {name.replace(".", "/") for name in loaded if name.split(".")[0] != "flint"}
+    return answering | {name.replace(".", "/") for name in loaded}
 
 
-def archive(folder: Path, packages: set[str], target: Path) -> None:
-    """Every module of the packages, compiled, and the other files beside them as they are."""
-    with zipfile.ZipFile(target, "w") as out:
-        for path in sorted(folder.rglob("*")):
+def codes(folder: Path, packages: set[str]) -> dict[str, bytes]:
+    """Every module of the packages by its path in the folder, compiled."""
+    found = {}
+    for path in sorted(folder.rglob("*.py")):
+        if path.parent.relative_to(folder).as_posix().removeprefix(".") in packages:
             name = path.relative_to(folder).as_posix()
-            if path.parent.relative_to(folder).as_posix().removeprefix(".") not in packages:
-                continue
-            if path.suffix == ".py":
-                tree = without_docstrings(ast.parse(path.read_text(encoding="utf-8")))
-                code = compile(tree, name, "exec", dont_inherit=True)
-                out.writestr(zipfile.ZipInfo(f"{name}c"), HEADER + marshal.dumps(without_lines(code)))
-            elif path.is_file() and path.suffix not in (".so", ".pyi", ".pyx", ".pxd"):
-                out.writestr(zipfile.ZipInfo(name), path.read_bytes())
+            tree = without_docstrings(ast.parse(path.read_text(encoding="utf-8")))
+            code = compile(tree, name, "exec", dont_inherit=True)
+            found[name] = marshal.dumps(without_lines(code))
+    return found
+
+
+def zipped(modules: dict[str, bytes], target: Path) -> None:
+    """The modules that Pyodide itself loads, as it looks for them."""
+    with zipfile.ZipFile(target, "w") as out:
+        for name, code in modules.items():
+            out.writestr(zipfile.ZipInfo(f"{name}c"), HEADER + code)
+
+
+def table(modules: dict[str, bytes]) -> dict[str, tuple[bool, bytes]]:
+    """The modules by their names, as finder.py looks for them: whether it is a package, and its code."""
+    found = {}
+    for path, code in modules.items():
+        is_package, name = path.endswith("/__init__.py"), path.removesuffix(".py").removesuffix("/__init__")
+        found[name.replace("/", ".")] = (is_package, code)
+    return found
 
 
 if __name__ == "__main__":
+    own = {name.partition(".")[0] for name in sys.modules}      # what Pyodide itself loads
     kept = used() | {""}
-    archive(STAGE / "python", kept, STAGE / "python.zip")
-    archive(STAGE / "packages", kept, STAGE / "packages.zip")
+    standard = codes(STAGE / "python", kept)
+    first = {name: code for name, code in standard.items() if Path(name).parts[0].removesuffix(".py") in own}
+    others = {name: code for name, code in standard.items() if name not in first}
+    zipped(first, STAGE / "python.zip")
+    (STAGE / "table" / "table").write_bytes(marshal.dumps(table(others | codes(STAGE / "packages", kept))))
+    for path in (STAGE / "packages" / "gyrostat").rglob("*.toml"):
+        name = path.relative_to(STAGE / "packages")
+        if name.parent.as_posix() in kept:
+            (STAGE / "table" / name).parent.mkdir(parents=True, exist_ok=True)
+            (STAGE / "table" / name).write_bytes(path.read_bytes())

@@ -4,9 +4,24 @@ The loader enters each export of each library in a table and goes through that t
 of the start of python-flint. A module is a header of 8 bytes and sections, each a number, a length and as
 many bytes; section 2 has the imports, 7 the exports.
 """
+import sys
 from collections.abc import Iterator, Mapping
 
 IMPORTS, EXPORTS = 2, 7
+# What the loader does again for each library, and what is enough. It looks whether all symbols are known: the
+# new ones are enough. It copies the symbols of a library to each that needs it: from the second time on they
+# are everybody's. It compiles: another thread has done it.
+LINKING = {
+    "var GOTHandler=": "var newSymbols=[];var GOTHandler=",
+    'rtn=GOT[symName]=new WebAssembly.Global({value:"i32",mutable:true},-1)}':
+        'rtn=GOT[symName]=new WebAssembly.Global({value:"i32",mutable:true},-1);newSymbols.push(symName)}',
+    "for(var[symName,entry]of Object.entries(GOT)){if(entry.value==-1){var value=resolveGlobalSymbol":
+        "for(var symName of newSymbols.splice(0)){var entry=GOT[symName];"
+        "if(entry.value==-1){var value=resolveGlobalSymbol",
+    "if(!flags.global){if(localScope){Object.assign(localScope,dso.exports)}}":
+        "if(!flags.global){if(localScope&&!dso.global){dso.global=true;mergeLibSymbols(dso.exports,libName)}}",
+    "var module=binary instanceof WebAssembly.Module?binary:new WebAssembly.Module(binary);":
+        "var module=globalThis.compiled?.get(libName)??new WebAssembly.Module(binary);"}
 FUNCTION, TABLE, MEMORY, GLOBAL, TAG = range(5)
 OWN = "__"                                             # what the loader itself looks for begins so
 
@@ -41,6 +56,15 @@ def linked(modules: Mapping[str, bytes]) -> dict[str, bytes]:
     needed = set[str]().union(*map(imported, modules.values()))
     return {path: with_exports(module, needed) if "cpython" not in path else module
             for path, module in modules.items()}
+
+
+def linking(loader: str) -> str:
+    """The script of Pyodide that loads libraries, without what it does again for each of them."""
+    for before, after in LINKING.items():
+        if loader.count(before) != 1:
+            sys.exit(f"the loader of Pyodide is not the one that was tried: {before}")
+        loader = loader.replace(before, after)
+    return loader
 
 
 def _sections(module: bytes) -> Iterator[tuple[int, bytes]]:

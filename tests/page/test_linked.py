@@ -1,5 +1,6 @@
 """What no other library imports is left out of the exports of a library of WebAssembly."""
-from linked import imported, linked, with_exports
+import pytest
+from linked import LINKING, imported, linked, linking, with_exports
 
 HEADER = b"\0asm\1\0\0\0"
 LONG = "n" * 200                                       # its length takes two bytes
@@ -46,3 +47,13 @@ def test_a_library_keeps_what_others_import_and_a_module_of_python_all():
     assert imported(found["p/m.cpython-314-wasm32.so"]) >= {"b"}
     assert found["p/m.cpython-314-wasm32.so"] == module(["b"], ["PyInit_m", "c"])
     assert name("b") + b"\0\1" in found["libs/lib.so"] and name("a") + b"\0\0" not in found["libs/lib.so"]
+
+
+def test_the_loader_is_changed_where_it_is_the_one_that_was_tried():
+    """Each place once; a loader without one of them, or with one twice, is refused."""
+    whole = ";".join(LINKING)
+    assert linking(whole) == ";".join(LINKING.values())
+    for place in LINKING:
+        for other in (whole.replace(place, ""), whole + place):
+            with pytest.raises(SystemExit, match="not the one that was tried"):
+                linking(other)

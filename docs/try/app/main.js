@@ -207,6 +207,8 @@ if (document.readyState === "complete") checked();
 else window.onload = checked;
 window.onhashchange = arrive;
 window.ononline = () => { if (analyser.lost) again(); };
+const kept = Boolean(navigator.serviceWorker?.controller);
+if (kept) analyser.start();
 try {
   examples = await json("examples.json");
 } catch {
@@ -215,4 +217,4 @@ try {
 form.list(examples);
 gallery(at("gallery"), examples, picked);
 arrive();
-analyser.start();                                        // after what is needed to show a prepared answer
+if (!kept) analyser.start();                            // its files come after those of a prepared answer

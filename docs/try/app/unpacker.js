@@ -12,21 +12,46 @@ const started = new Promise((resolve) => { told = () => resolve(undefined); });
 
 onmessage = ({ data: { name, integrity } }) => {
   if (!name) return told();                             // Python has started, there is time to keep something
-  unpacked(name, integrity).catch((error) => postMessage({ failed: `${name}: ${error.message}` }));
+  brought(name, integrity).catch((error) => postMessage({ failed: `${name}: ${error.message}` }));
 };
 
+/** @typedef {{ files: Map<string, Uint8Array<ArrayBuffer>>, compiled: Map<string, WebAssembly.Module> }} Archive */
+
 /** @param {string} name @param {string} integrity */
-async function unpacked(name, integrity) {
+async function brought(name, integrity) {
   const store = await self.caches?.open("gyrostat").catch(() => undefined);
   const kept = await store?.match(key(name, integrity));
   const ready = kept?.headers.has("unpacked") ? kept : undefined;
   const data = await (ready ?? await opened(kept ?? await fetched(name, integrity), integrity)).arrayBuffer();
-  const whole = ready ? null : new Response(data, { headers: { unpacked: "" } });
-  postMessage({ data }, [data]);
+  const unpacked = ready ? null : new Response(data, { headers: { unpacked: "" } });
+  const files = placed(data);
+  postMessage({ whole: { files, compiled: await compiled(files) } }, [data]);
   await started;
-  if (whole) await store?.put(key(name, integrity), whole).catch(() => {});     // a browser that is full starts without
+  if (unpacked) await store?.put(key(name, integrity), unpacked).catch(() => {});     // a browser that is full starts without
   postMessage({ kept: true });
   self.close();
+}
+
+/**
+ * The files of an archive that build.py wrote: the length of a list, the list of paths and sizes, their bytes.
+ * @param {ArrayBuffer} data
+ * @returns {Map<string, Uint8Array<ArrayBuffer>>}
+ */
+function placed(data) {
+  let at = 4 + new DataView(data).getUint32(0, true);
+  const found = new Map();
+  for (const [path, size] of JSON.parse(new TextDecoder().decode(new Uint8Array(data, 4, at - 4)))) {
+    found.set(path, new Uint8Array(data, at, size));
+    at += size;
+  }
+  return found;
+}
+
+/** Its libraries, compiled while Python starts. @param {Map<string, Uint8Array<ArrayBuffer>>} files */
+async function compiled(files) {
+  const libraries = [...files].filter(([path]) => path.endsWith(".so"));
+  return new Map(await Promise.all(libraries.map(async ([path, data]) =>
+    /** @type {const} */ ([path, await WebAssembly.compile(data)]))));
 }
 
 /** @param {string} name @param {string} integrity */

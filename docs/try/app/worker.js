@@ -1,5 +1,6 @@
 // The library in a thread of its own: Python, its packages from the archives that files.json lists, then answers.
 
+const FOLDER = "/packages/";                            // finder.py names it too
 // What an archive of the runtime brings, in the words of the page.
 const PARTS = { "runtime/python.xz": "Python", "runtime/flint.xz": "FLINT", "runtime/packages.xz": "SymPy" };
 
@@ -17,6 +18,7 @@ WebAssembly.instantiateStreaming = (...given) => compile(...given).catch((error)
 });
 
 /** @typedef {{ name: string, got: number, of: number }} Part how many bytes of a part have come */
+/** @typedef {import("./unpacker.js").Archive} Archive */
 
 /** @type {{ unpacker: Worker, kept: Promise<void> }[]} */
 const unpackers = [];
@@ -30,7 +32,8 @@ function archives(files) {
   const parts = Object.entries(PARTS).map(([file, name]) => ({ name, got: 0, of: files[file].bytes }));
   const tell = () => postMessage({ parts });
   tell();
-  return Object.keys(PARTS).map((name, n) => new Promise((resolve, reject) => {
+  /** @param {string} name @param {number} n @returns {Promise<Archive>} */
+  const archive = (name, n) => new Promise((resolve, reject) => {
     const unpacker = new Worker(new URL("unpacker.js", import.meta.url), { type: "module" });
     unpacker.onerror = (event) => {
       event.preventDefault();
@@ -39,30 +42,18 @@ function archives(files) {
     /** @type {(nothing: void) => void} */
     let over;
     unpackers.push({ unpacker, kept: new Promise((resolve) => { over = resolve; }) });
-    unpacker.onmessage = ({ data: { got, data, kept, failed } }) => {
+    unpacker.onmessage = ({ data: { got, whole, kept, failed } }) => {
       if (kept) return over();
       if (failed) return reject(new Error(failed));
-      parts[n].got = data ? parts[n].of : got;
+      parts[n].got = whole ? parts[n].of : got;
       tell();
-      if (data) resolve(placed(data));
+      if (whole) resolve(whole);
     };
     unpacker.postMessage({ name, integrity: files[name].integrity });
-  }));
-}
-
-/**
- * The files of an archive that build.py wrote: the length of a list, the list of paths and sizes, their bytes.
- * @param {ArrayBuffer} data
- * @returns {Map<string, Uint8Array>}
- */
-function placed(data) {
-  let at = 4 + new DataView(data).getUint32(0, true);
-  const found = new Map();
-  for (const [path, size] of JSON.parse(new TextDecoder().decode(new Uint8Array(data, 4, at - 4)))) {
-    found.set(path, new Uint8Array(data, at, size));
-    at += size;
-  }
-  return found;
+  });
+  // Two at a time: what Python needs to start is not to wait for what is needed later.
+  const [first, second, third] = Object.keys(PARTS), runtime = archive(first, 0);
+  return [runtime, archive(second, 1), runtime.then(() => archive(third, 2))];
 }
 
 /** Python, from the files of its archive, which it asks for by their names. @param {Map<string, Uint8Array>} runtime */
@@ -96,14 +87,18 @@ async function started() {
   const list = await response.arrayBuffer();
   const [runtime, ...packages] = archives(JSON.parse(new TextDecoder().decode(list)));
   const version = await hash(list);
-  const python = await interpreter(await runtime);
+  const python = await interpreter((await runtime).files);
   say("packages");
-  for (const [path, data] of (await Promise.all(packages)).flatMap((files) => [...files])) {
-    const file = `/packages/${path}`;
-    python.FS.mkdirTree(file.slice(0, file.lastIndexOf("/")));
-    python.FS.writeFile(file, data, { canOwn: true });
+  for (const { files, compiled } of await Promise.all(packages)) {
+    for (const [path, data] of files) {
+      const file = FOLDER + path;
+      python.FS.mkdirTree(file.slice(0, file.lastIndexOf("/")));
+      python.FS.writeFile(file, data, { canOwn: true });
+    }
+    // The loader, as linked.py has changed it, looks there.
+    if (compiled.size) Object.assign(self, { compiled: new Map([...compiled].map(([path, found]) => [FOLDER + path, found])) });
   }
-  python.runPython('import sys; sys.path[:0] = ["/packages", "/packages/packages.zip"]');
+  python.runPython(python.FS.readFile(`${FOLDER}finder.py`, { encoding: "utf8" }));
   say("library");
   return { answer: python.pyimport("session").answer, version };
 }
