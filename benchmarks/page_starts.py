@@ -30,6 +30,14 @@ new Worker("bare.js", { type: "module" }).onmessage = () => {
 </script><body></body>"""
 
 
+WATCHED = """(awaited) => {
+    const came = window.came = {};
+    const look = () => awaited.filter((place) => !(place in came) && document.querySelector(place))
+        .forEach((place) => { came[place] = performance.timeOrigin + performance.now(); });
+    new MutationObserver(look).observe(document, { subtree: true, childList: true, attributes: true });
+}"""
+
+
 class Quiet(http.server.SimpleHTTPRequestHandler):
     """Files, a connection kept for several, without a log."""
 
@@ -102,15 +110,16 @@ def bare(site):
 
 
 def seconds(context, address, *awaited):
-    """Seconds from the address to each of several places of a page."""
+    """Seconds from the address to each of several places of a page, as the page itself sees them come."""
     page = context.new_page()
-    began, found = time.perf_counter(), []
+    page.add_init_script(f"({WATCHED})({json.dumps(awaited)})")
+    began = time.time()
     page.goto(address, wait_until="commit")
     for place in awaited:
         page.wait_for_selector(place, timeout=120_000)
-        found.append(time.perf_counter() - began)
+    came = page.evaluate("window.came")
     page.close()
-    return found
+    return [came[place] / 1000 - began for place in awaited]
 
 
 def kept(context, address):

@@ -16,6 +16,7 @@ import tomllib
 import zipfile
 from base64 import b64encode
 from pathlib import Path
+from posixpath import dirname, join, normpath
 from typing import Any
 
 from licences import shipped
@@ -29,6 +30,7 @@ SCRIPTS = ("app", "views", "numerics")
 # whole lines, and the ends of lines
 COMMENTS = re.compile(r"^[ \t]*(?://.*|/\*\*(?:(?!\*/)[\s\S])*\*/[ \t]*)\n|"
                       r"[ \t]{2,}// [^\"'`\n]*$", re.MULTILINE)
+IMPORT = re.compile(r'^import\b[^;"]*"(\.[^"]+)";', re.MULTILINE)
 LIST, SERVICE = "files.json", "sw.js"
 
 
@@ -122,6 +124,25 @@ def without_comments(script: str) -> str:
     return COMMENTS.sub("", script)
 
 
+def needed(folder: Path, script: str) -> list[str]:
+    """The modules that a module imports, and those that they import, by their paths in a folder."""
+    found = [script]
+    for name in found:                                 # which grows
+        text = without_comments((folder / name).read_text(encoding="utf-8"))
+        paths = (normpath(join(dirname(name), address)) for address in IMPORT.findall(text))
+        found += [path for path in dict.fromkeys(paths) if path not in found]
+    return found
+
+
+def preloading(page: str, scripts: list[str]) -> str:
+    """The page, which asks for its modules at once, and not for each when another one names it."""
+    links = "".join(f'<link rel="modulepreload" href="{script}">\n' for script in scripts)
+    first = '<script id="formulas"'
+    if page.count(first) != 1:
+        sys.exit("index.html has another first script than expected")
+    return page.replace(first, links + first)
+
+
 def built(target: Path, stage: Path) -> None:
     """Fetch, compile, copy, list."""
     sources = tomllib.loads((HERE / "sources.toml").read_text(encoding="utf-8"))
@@ -149,9 +170,10 @@ def built(target: Path, stage: Path) -> None:
         for path in (HERE / folder).glob("*.js"):
             (target / folder / path.name).write_text(without_comments(path.read_text(encoding="utf-8")),
                                                      encoding="utf-8")
-    for path in HERE.iterdir():
-        if path.suffix in (".html", ".css"):
-            shutil.copy(path, target)
+    for path in HERE.glob("*.css"):
+        shutil.copy(path, target)
+    page = (HERE / "index.html").read_text(encoding="utf-8")
+    (target / "index.html").write_text(preloading(page, needed(HERE, "app/main.js")), encoding="utf-8")
     print(f"try: {listed(target)}")
 
 

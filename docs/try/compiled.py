@@ -89,13 +89,17 @@ def zipped(modules: dict[str, bytes], target: Path) -> None:
             out.writestr(zipfile.ZipInfo(f"{name}c"), HEADER + code)
 
 
-def table(modules: dict[str, bytes]) -> dict[str, tuple[bool, bytes]]:
-    """The modules by their names, as finder.py looks for them: whether it is a package, and its code."""
-    found = {}
+def table(modules: dict[str, bytes]) -> bytes:
+    """A table of modules, as finder.py looks for them, and behind it their codes.
+
+    Of each module it says whether it is a package, where its code begins, and how long it is.
+    """
+    found, place = {}, 0
     for path, code in modules.items():
         is_package, name = path.endswith("/__init__.py"), path.removesuffix(".py").removesuffix("/__init__")
-        found[name.replace("/", ".")] = (is_package, code)
-    return found
+        found[name.replace("/", ".")] = (is_package, place, len(code))
+        place += len(code)
+    return marshal.dumps(found) + b"".join(modules.values())
 
 
 if __name__ == "__main__":
@@ -105,7 +109,7 @@ if __name__ == "__main__":
     first = {name: code for name, code in standard.items() if Path(name).parts[0].removesuffix(".py") in own}
     others = {name: code for name, code in standard.items() if name not in first}
     zipped(first, STAGE / "python.zip")
-    (STAGE / "table" / "table").write_bytes(marshal.dumps(table(others | codes(STAGE / "packages", kept))))
+    (STAGE / "table" / "table").write_bytes(table(others | codes(STAGE / "packages", kept)))
     for path in (STAGE / "packages" / "gyrostat").rglob("*.toml"):
         name = path.relative_to(STAGE / "packages")
         if name.parent.as_posix() in kept:

@@ -1,4 +1,4 @@
-"""Run before all others: the modules of the page, whose bytecode one file has, a table by their names.
+"""Run before all others: the modules of the page, whose bytecode one file has behind a table of their names.
 
 An import asks the table, no folder and no archive. What is not there is looked for as ever.
 """
@@ -14,10 +14,12 @@ FOLDER = Path("/packages")
 
 
 class Table:
-    """Finds and loads what a table has: of each module whether it is a package, and its bytecode."""
+    """Finds and loads what a table has: of each module whether it is a package, and where its bytecode is."""
 
-    def __init__(self, modules: dict[str, tuple[bool, bytes]], folder: Path = FOLDER) -> None:
-        self.modules, self.folder = modules, folder
+    def __init__(self, table: Path) -> None:
+        self.file, self.folder = table.open("rb"), table.parent
+        self.modules: dict[str, tuple[bool, int, int]] = marshal.load(self.file)
+        self.begin = self.file.tell()
 
     def find_spec(self, name: str, path: Any = None, target: Any = None) -> ModuleSpec | None:
         """Return the specification of a module; a package has a folder too."""
@@ -38,7 +40,9 @@ class Table:
 
     def get_code(self, name: str) -> CodeType:
         """Return the code of a module."""
-        return marshal.loads(self.modules[name][1])
+        _, place, size = self.modules[name]
+        self.file.seek(self.begin + place)
+        return marshal.loads(self.file.read(size))
 
     def get_resource_reader(self, name: str) -> Any:
         """Return what reads the files of a package."""
@@ -48,5 +52,4 @@ class Table:
 
 if __name__ == "__main__":
     sys.path.insert(0, str(FOLDER))
-    sys.meta_path.insert(0, Table(marshal.loads((FOLDER / "table").read_bytes())))
-    (FOLDER / "table").unlink()                        # it is in memory now
+    sys.meta_path.insert(0, Table(FOLDER / "table"))

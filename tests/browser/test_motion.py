@@ -137,15 +137,22 @@ def test_the_path_is_in_the_colour_of_the_verdict(page):
     def count(colour):
         return page.evaluate(COUNTED, list(colour))
 
+    def seen(colour):                                      # the path has some pixels that nothing else covers
+        page.wait_for_function(f"colour => ({COUNTED})(colour) > 3", arg=list(colour), timeout=20_000)
+
     stable, unstable = (11, 107, 58), (168, 32, 26)
-    page.wait_for_timeout(1000)                            # a path to be seen
-    standing(page)
-    assert count(stable) > 3 and not count(unstable)
+    picked(page, 0)
+    page.locator("#motion").scroll_into_view_if_needed()
+    page.evaluate("""() => { const push = document.getElementById("push");
+        push.value = "0.5"; push.dispatchEvent(new Event("input")); }""")
+    seen(stable)
+    assert not count(unstable)
     typed(page, "value-m0", "3")
     page.wait_for_selector(".badge:has-text('Unstable')")
-    page.wait_for_timeout(300)
-    assert count(unstable) > 3 and not count(stable)
-    page.click("#nearby button:has-text('Go on')")
+    seen(unstable)
+    assert not count(stable)
+    page.evaluate("""() => { const push = document.getElementById("push");
+        push.value = "0.05"; push.dispatchEvent(new Event("input")); }""")
 
 
 def test_who_wants_no_motion_has_a_picture_that_stands(page):

@@ -34,7 +34,8 @@ beforeEach(() => workers.splice(0));
 
 /** An analyser, its worker, and what the page is told. */
 function begun() {
-  const told = [], analyser = new Analyser((news) => told.push(news));
+  const told = [], analyser = new Analyser();
+  analyser.listen((news) => told.push(news));
   analyser.start();
   return { analyser, told, worker: workers.at(-1) };
 }
@@ -112,4 +113,16 @@ test("a worker that fails at a question is started again; one that fails at its 
   assert.equal((await analyser.ask("charted", {})).lost, true);
   assert.ok(again.ended && analyser.lost && workers.length === 2);
   assert.deepEqual(told.at(-1), { failed: "python.zip: 404" });
+});
+
+test("what is told before somebody listens is told then", () => {
+  const told = [], analyser = new Analyser();
+  analyser.start();
+  workers[0].say({ step: "packages" });
+  workers[0].say({ failed: "python.xz: 404" });
+  analyser.listen((news) => told.push(news));
+  assert.deepEqual(told, [{ step: "packages" }, { failed: "python.xz: 404" }]);
+  analyser.start();
+  workers[1].say({ ready: true });
+  assert.deepEqual(told.slice(2), [{ ready: true }]);
 });

@@ -16,10 +16,12 @@ MODULES = {"tabled/__init__.py": "from .part import x\n", "tabled/part.py": "x =
 @pytest.fixture
 def tabled(monkeypatch, tmp_path):
     """The table of these modules, in use, beside a folder with other files of theirs."""
-    found = Table(table({path: marshal.dumps(compile(text, path, "exec")) for path, text in MODULES.items()}),
-                  tmp_path)
+    codes = {path: marshal.dumps(compile(text, path, "exec")) for path, text in MODULES.items()}
+    (tmp_path / "table").write_bytes(table(codes))
+    found = Table(tmp_path / "table")
     monkeypatch.setattr(sys, "meta_path", [found, *sys.meta_path])
     yield found
+    found.file.close()
     for name in found.modules:
         sys.modules.pop(name, None)
 

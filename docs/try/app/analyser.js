@@ -11,18 +11,27 @@ const LOST = { lost: true, error: "The library is not running, see the top of th
  */
 
 export class Analyser {
-  /** @param {(news: News) => void} told */
-  constructor(told) {
-    this.told = told;
+  constructor() {
+    /** @type {News[]} what is told before there is somebody who listens */
+    this.untold = [];
+    /** @type {(news: News) => void} */
+    this.told = (news) => { this.untold.push(news); };
     /** @type {Map<string, { resolve: Resolve, question: string }>} */
     this.waiting = new Map();
     /** @type {{ id: number, resolve: Resolve, late: ReturnType<typeof setTimeout> } | null} */
     this.asked = null;
     this.count = 0;
-    this.ready = this.lost = false;
+    this.started = this.ready = this.lost = false;
+  }
+
+  /** @param {(news: News) => void} told */
+  listen(told) {
+    this.told = told;
+    for (const news of this.untold.splice(0)) told(news);
   }
 
   start() {
+    this.started = true;
     this.ready = this.lost = false;
     const worker = this.worker = new Worker("app/worker.js", { type: "module" });
     worker.onmessage = ({ data }) => { if (worker === this.worker) this.heard(data); };

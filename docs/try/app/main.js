@@ -3,11 +3,11 @@ import { typeset, word } from "../views/blocks.js";
 import { Nearby } from "../views/body.js";
 import { Chart } from "../views/chart.js";
 import { fitted, placed } from "../views/sliders.js";
-import { Analyser } from "./analyser.js";
 import { Answers } from "./answers.js";
 import { checked } from "./arrived.js";
 import { cards } from "./cards.js";
 import { copied } from "./copies.js";
+import { analyser } from "./early.js";
 import { Form } from "./form.js";
 import { gallery } from "./gallery.js";
 import { Entries } from "./history.js";
@@ -34,7 +34,6 @@ const asked = nothing();
 const drawn = {};                                       // of each kind the answer that its card shows
 /** @type {{ title: string, source: string, scene: import("./scene.js").Table }[]} */
 let examples = [];
-const analyser = new Analyser(told);
 const asks = Object.fromEntries(KINDS.map((kind) => [kind, (/** @type {any} */ question) => analyser.ask(kind, question)]));
 const answers = new Answers({ ...asks,
   charted: ({ scene, axes }) => analyser.ask("charted", scene, [axes]),
@@ -153,6 +152,7 @@ function restore({ table, axes = [], ends = {} }) {
 function told({ failed, ...news }) {
   if (news.version) return keep(news.version);
   const { share, text } = progress(news);
+  nearby.spare(Boolean(news.ready || failed), share !== undefined && share < 1);
   at("starting").hidden = Boolean(news.ready || failed);
   at("progress").value = share ?? at("progress").value;
   if (!failed) at("status").textContent = text;
@@ -207,8 +207,6 @@ if (document.readyState === "complete") checked();
 else window.onload = checked;
 window.onhashchange = arrive;
 window.ononline = () => { if (analyser.lost) again(); };
-const kept = Boolean(navigator.serviceWorker?.controller);
-if (kept) analyser.start();
 try {
   examples = await json("examples.json");
 } catch {
@@ -217,4 +215,5 @@ try {
 form.list(examples);
 gallery(at("gallery"), examples, picked);
 arrive();
-if (!kept) analyser.start();                            // its files come after those of a prepared answer
+analyser.listen(told);
+if (!analyser.started) setTimeout(() => analyser.start(), 50);           // milliseconds: what is prepared is seen first

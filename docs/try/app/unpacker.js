@@ -15,7 +15,8 @@ onmessage = ({ data: { name, integrity } }) => {
   brought(name, integrity).catch((error) => postMessage({ failed: `${name}: ${error.message}` }));
 };
 
-/** @typedef {{ files: Map<string, Uint8Array<ArrayBuffer>>, compiled: Map<string, WebAssembly.Module> }} Archive */
+/** @typedef {Map<string, Uint8Array<ArrayBuffer>>} Files */
+/** @typedef {Map<string, WebAssembly.Module>} Modules */
 
 /** @param {string} name @param {string} integrity */
 async function brought(name, integrity) {
@@ -24,8 +25,9 @@ async function brought(name, integrity) {
   const ready = kept?.headers.has("unpacked") ? kept : undefined;
   const data = await (ready ?? await opened(kept ?? await fetched(name, integrity), integrity)).arrayBuffer();
   const unpacked = ready ? null : new Response(data, { headers: { unpacked: "" } });
-  const files = placed(data);
-  postMessage({ whole: { files, compiled: await compiled(files) } }, [data]);
+  const files = placed(data), compiling = compiled(files);              // of copies of their bytes
+  postMessage({ files }, [data]);
+  postMessage({ compiled: await compiling });
   await started;
   if (unpacked) await store?.put(key(name, integrity), unpacked).catch(() => {});     // a browser that is full starts without
   postMessage({ kept: true });
@@ -35,7 +37,7 @@ async function brought(name, integrity) {
 /**
  * The files of an archive that build.py wrote: the length of a list, the list of paths and sizes, their bytes.
  * @param {ArrayBuffer} data
- * @returns {Map<string, Uint8Array<ArrayBuffer>>}
+ * @returns {Files}
  */
 function placed(data) {
   let at = 4 + new DataView(data).getUint32(0, true);
@@ -47,10 +49,14 @@ function placed(data) {
   return found;
 }
 
-/** Its libraries, compiled while Python starts. @param {Map<string, Uint8Array<ArrayBuffer>>} files */
+/**
+ * What is compiled here, while the other thread goes on.
+ * @param {Files} files
+ * @returns {Promise<Modules>}
+ */
 async function compiled(files) {
-  const libraries = [...files].filter(([path]) => path.endsWith(".so"));
-  return new Map(await Promise.all(libraries.map(async ([path, data]) =>
+  const binaries = [...files].filter(([path]) => /\.(so|wasm)$/.test(path));
+  return new Map(await Promise.all(binaries.map(async ([path, data]) =>
     /** @type {const} */ ([path, await WebAssembly.compile(data)]))));
 }
 

@@ -11,14 +11,10 @@ const fail = (error) => postMessage({ failed: error.message ?? String(error) });
 
 // Pyodide waits without end for a file of its own that does not come: whatever fails here ends the start.
 self.onunhandledrejection = ({ reason }) => fail(reason);
-const compile = WebAssembly.instantiateStreaming;
-WebAssembly.instantiateStreaming = (...given) => compile(...given).catch((error) => {
-  fail(error);
-  throw error;
-});
 
 /** @typedef {{ name: string, got: number, of: number }} Part how many bytes of a part have come */
-/** @typedef {import("./unpacker.js").Archive} Archive */
+/** @typedef {import("./unpacker.js").Modules} Modules */
+/** @typedef {{ files: import("./unpacker.js").Files, compiled: Promise<Modules> }} Archive */
 
 /** @type {{ unpacker: Worker, kept: Promise<void> }[]} */
 const unpackers = [];
@@ -41,13 +37,18 @@ function archives(files) {
     };
     /** @type {(nothing: void) => void} */
     let over;
-    unpackers.push({ unpacker, kept: new Promise((resolve) => { over = resolve; }) });
-    unpacker.onmessage = ({ data: { got, whole, kept, failed } }) => {
+    /** @type {(found: Modules) => void} */
+    let taken;
+    /** @type {Promise<Modules>} */
+    const modules = new Promise((take) => { taken = take; });
+    unpackers.push({ unpacker, kept: new Promise((end) => { over = end; }) });
+    unpacker.onmessage = ({ data: { got, files: found, compiled, kept, failed } }) => {
       if (kept) return over();
-      if (failed) return reject(new Error(failed));
-      parts[n].got = whole ? parts[n].of : got;
+      if (compiled) return taken(compiled);
+      if (failed) return fail(new Error(failed));
+      parts[n].got = found ? parts[n].of : got;
       tell();
-      if (whole) resolve(whole);
+      if (found) resolve({ files: found, compiled: modules });
     };
     unpacker.postMessage({ name, integrity: files[name].integrity });
   });
@@ -56,18 +57,27 @@ function archives(files) {
   return [runtime, archive(second, 1), runtime.then(() => archive(third, 2))];
 }
 
-/** Python, from the files of its archive, which it asks for by their names. @param {Map<string, Uint8Array>} runtime */
-async function interpreter(runtime) {
+/** Python, from the files of its archive, which it asks for by their names. @param {Archive} archive */
+async function interpreter({ files: runtime, compiled }) {
   const fetched = self.fetch.bind(self);
   self.fetch = async (address, options) => {
     const asked = /** @type {any} */ (address).url ?? String(address);
     const data = runtime.get(asked.slice(asked.lastIndexOf("/") + 1));
     if (!data) return fetched(address, options);
-    const type = asked.endsWith(".wasm") ? "application/wasm" : "application/zip";
-    return new Response(/** @type {BodyInit} */ (data), { headers: { "Content-Type": type } });
+    return new Response(asked.endsWith(".wasm") ? null : data);
+  };
+  // What the loader asks for as a stream is compiled already.
+  WebAssembly.instantiateStreaming = async (_, imports) => {
+    const module = /** @type {WebAssembly.Module} */ ((await compiled).get("pyodide.asm.wasm"));
+    try {
+      return { module, instance: await WebAssembly.instantiate(module, imports) };
+    } catch (error) {
+      fail(error);
+      throw error;
+    }
   };
   /** @param {string} name */
-  const bytes = (name) => /** @type {BlobPart} */ (runtime.get(name));
+  const bytes = (name) => /** @type {Uint8Array<ArrayBuffer>} */ (runtime.get(name));
   const script = URL.createObjectURL(new Blob([bytes("pyodide.asm.mjs")], { type: "text/javascript" }));
   const [{ loadPyodide }, { default: createPyodideModule }] = await Promise.all([
     import(new URL("../runtime/pyodide.mjs", import.meta.url).href), import(script)]);
@@ -87,17 +97,18 @@ async function started() {
   const list = await response.arrayBuffer();
   const [runtime, ...packages] = archives(JSON.parse(new TextDecoder().decode(list)));
   const version = await hash(list);
-  const python = await interpreter((await runtime).files);
+  const python = await interpreter(await runtime);
   say("packages");
+  const libraries = new Map();
   for (const { files, compiled } of await Promise.all(packages)) {
     for (const [path, data] of files) {
       const file = FOLDER + path;
       python.FS.mkdirTree(file.slice(0, file.lastIndexOf("/")));
       python.FS.writeFile(file, data, { canOwn: true });
     }
-    // The loader, as linked.py has changed it, looks there.
-    if (compiled.size) Object.assign(self, { compiled: new Map([...compiled].map(([path, found]) => [FOLDER + path, found])) });
+    for (const [path, found] of await compiled) libraries.set(FOLDER + path, found);
   }
+  Object.assign(self, { compiled: libraries });         // linked.py makes the loader look there
   python.runPython(python.FS.readFile(`${FOLDER}finder.py`, { encoding: "utf8" }));
   say("library");
   return { answer: python.pyimport("session").answer, version };

@@ -11,6 +11,7 @@ const PATIENCE = 150;                                   // milliseconds of an ol
 const WORK = 4;                                         // milliseconds of a frame for what is to come
 const READ = 100;                                       // milliseconds in which numbers are read
 const FRAME = 1000 / 60, LONGEST = 3;                   // milliseconds; as many frames a slow one makes good
+const SPARING = 2.5 * FRAME;                            // milliseconds between pictures while files come
 
 /** @param {Element} place @param {string} text */
 function say(place, text) {
@@ -48,7 +49,9 @@ export class Nearby {
     this.started = null;
     this.reading = false;
     this.seen = true;
-    this.size = this.frame = this.told = 0;
+    this.whole = this.fresh = false;
+    this.apart = SPARING;                               // milliseconds between pictures
+    this.size = this.frame = this.told = this.last = 0;
     /** @type {ReturnType<typeof setTimeout> | undefined} */
     this.old = undefined;
     const push = find("#push");
@@ -61,7 +64,7 @@ export class Nearby {
     }).observe(this.canvas);
     new ResizeObserver((entries) => {
       this.size = Math.round(entries[entries.length - 1].contentRect.width);
-      requestAnimationFrame(() => this.draw());         // what it changes is observed with the next frame
+      this.draw();
     }).observe(this.canvas);
     this.button.onclick = () => this.run(!this.running);
     this.dark = matchMedia("(prefers-color-scheme: dark)");
@@ -140,7 +143,6 @@ export class Nearby {
   stop() {
     this.started = null;
     this.moved.rest();
-    cancelAnimationFrame(this.frame);
   }
 
   /** @param {Record<string, number> | null} numbers null if some are none */
@@ -161,29 +163,47 @@ export class Nearby {
   /** A picture for each frame while it runs, or until it is whole. @param {boolean} on */
   run(on) {
     this.running = on;
+    this.whole = false;
+    this.last = 0;
     say(this.button, on ? "Pause" : "Go on");
-    cancelAnimationFrame(this.frame);
-    /** @type {number | undefined} */
-    let last;
-    let whole = false;
-    /** @param {number} now */
-    const next = (now) => {
-      try {
-        if (this.seen) {
-          if (this.running) this.moved.step(Math.min(LONGEST, last ? (now - last) / FRAME : 1));
-          const until = performance.now() + WORK;
-          whole = this.moved.foresee(() => performance.now() > until);
-          this.draw();
-        }
-        last = now;
-      } catch (error) {
-        this.moved.flight = null;
-        say(this.why, /** @type {Error} */ (error).message);
-        this.button.hidden = true;
+    this.wake();
+  }
+
+  /**
+   * The start of the library needs the machine: the body moves with few pictures while files come, and stands while
+   * Python starts.
+   * @param {boolean} ready
+   * @param {boolean} coming
+   */
+  spare(ready, coming) {
+    this.apart = ready ? 0 : coming ? SPARING : Infinity;
+  }
+
+  // The next frame of the screen has something to do.
+  wake() {
+    this.frame ||= requestAnimationFrame((now) => this.next(now));
+  }
+
+  /** One frame: so much further on, and one picture. @param {number} now */
+  next(now) {
+    const { moved } = this;
+    this.frame = 0;
+    try {
+      if (!this.fresh && now < this.last + this.apart) return this.wake();
+      if (moved.flight && this.seen) {
+        if (this.running) moved.step(Math.min(LONGEST, this.last ? (now - this.last) / FRAME : 1));
+        const until = performance.now() + WORK;
+        this.whole = moved.foresee(() => performance.now() > until);
+        this.fresh = true;
       }
-      if (this.moved.flight && (this.running || !whole)) this.frame = requestAnimationFrame(next);
-    };
-    this.frame = requestAnimationFrame(next);
+      this.last = now;
+      if (this.fresh) this.paint();
+    } catch (error) {
+      moved.flight = null;
+      say(this.why, /** @type {Error} */ (error).message);
+      this.button.hidden = true;
+    }
+    if (moved.flight && (this.running || !this.whole)) this.wake();
   }
 
   /** @param {[number, number]} view */
@@ -192,8 +212,15 @@ export class Nearby {
     this.draw();
   }
 
+  // A picture with the next frame, one of all that has changed before it.
   draw() {
+    this.fresh = true;
+    this.wake();
+  }
+
+  paint() {
     const { canvas, context, picture, size } = this, sharp = devicePixelRatio;
+    this.fresh = false;
     if (!picture || !size) return;
     if (canvas.width !== Math.round(size * sharp)) canvas.width = canvas.height = Math.round(size * sharp);
     context.setTransform(sharp, 0, 0, sharp, 0, 0);
