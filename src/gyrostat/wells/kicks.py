@@ -1,0 +1,81 @@
+"""The impulses of a torque that are too weak to lift a motion over a barrier, rounded down."""
+import math
+from collections.abc import Sequence
+from typing import Any
+
+from flint import arb
+from sympy import Matrix, oo
+
+from ..algebra.enclosures.balls import ball
+from ..algebra.enclosures.precision import own_precision
+from ..algebra.reals.exact import evaluate, sign_of_constant
+from ..algebra.text.numbers import exact_expression
+from ..equilibria.relative_equilibrium import RelativeEquilibrium
+from ..errors import ScopeError, ValuesError
+from ..mechanics.scenes.kind import Kind
+from .landscape import BITS
+from .tilts import TiltWell
+
+Matrix3 = list[list[arb]]
+
+
+def kick_below(rotation: RelativeEquilibrium, barrier: arb, direction: Sequence[Any] | None) -> float:
+    """Return the impulse √(2 B/(u·I⁻¹u)) along u, or the least of all; in a field of those across k.
+
+    Raises
+    ------
+    ValuesError
+        the direction is none, or in a field not across k
+    """
+    body, field = rotation.scene.body, rotation.scene.kind is Kind.FIELD
+    with own_precision(BITS):
+        inverse = _in_balls(body.inverse)
+        if direction is not None:
+            stiffness = _along(rotation, direction, inverse, field)
+        elif field:
+            k = [ball(x, BITS) for x in rotation.directions[0]]
+            trace = sum((inverse[i][i] for i in range(3)), arb(0)) - _form(inverse, k)
+            product = _form(_in_balls(body.tensor), k) / ball(body.tensor.det(), BITS)
+            stiffness = (trace + abs(trace**2 - 4 * product).sqrt()) / 2
+        else:
+            stiffness = max((1 / ball(x, BITS) for x in body.moments), key=lambda x: float(x.mid()))
+        return _below((2 * barrier / stiffness).sqrt())
+
+
+def about_the_nodes(well: TiltWell, direction: Sequence[Any] | None) -> float:
+    """Return the impulse about the line of nodes, the one that keeps C1 and the spin of a body of revolution.
+
+    Raises
+    ------
+    ScopeError
+        another direction is given
+    """
+    if direction is not None:
+        raise ScopeError("a body of revolution keeps C1 and its spin in kicks about the line of nodes alone: "
+                         "leave the direction out")
+    kick = well.kick
+    assert kick is not None
+    return math.inf if kick == oo else _below(ball(kick, BITS))
+
+
+def _along(rotation: RelativeEquilibrium, direction: Sequence[Any], inverse: Matrix3, across: bool) -> arb:
+    exact = [exact_expression(x, "direction") for x in direction]
+    if len(exact) != 3 or not any(exact):
+        raise ValuesError(f"direction = {tuple(direction)} is none: give three numbers that are not all 0")
+    if across and sign_of_constant(evaluate(Matrix(exact).dot(Matrix(rotation.directions[0])), {})):
+        raise ValuesError("this kick is not across k, and changes C1: leave the direction out")
+    u = [ball(x, BITS) for x in exact]
+    return _form(inverse, u) / sum((x * x for x in u), arb(0))
+
+
+def _in_balls(matrix: Matrix) -> Matrix3:
+    return [[ball(x, BITS) for x in row] for row in matrix.tolist()]
+
+
+def _form(matrix: Matrix3, u: Sequence[arb]) -> arb:
+    return sum((x * u[i] * u[j] for i, row in enumerate(matrix) for j, x in enumerate(row)), arb(0))
+
+
+def _below(number: arb) -> float:
+    """A double that is not above a ball."""
+    return math.nextafter(math.nextafter(float(number.mid()) - float(number.rad()), 0), 0)
