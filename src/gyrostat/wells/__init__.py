@@ -1,5 +1,7 @@
 """How stable: the well of the energy round a motion, its passes, and the kicks that stay inside.
 
-Where the tilt alone moves, the energy is a function of one variable (`tilt_line`), and its wells are exact
-(`tilts`).
+`well` is the one answer, `RelativeEquilibrium.well`. Its energy is a function on a sphere or on the attitudes
+(`landscape`), from whose critical points `paths` lead down, certified in balls; which of them join tells what
+the well meets first (`tree`). `kicks` has the impulses that are too weak. Where the tilt alone moves, the
+energy is a function of one variable (`tilt_line`), and its wells are exact (`tilts`).
 """

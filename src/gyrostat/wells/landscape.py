@@ -93,7 +93,7 @@ class Landscape:
 
     def floats(self, x: Any) -> Any:
         """Return V at vectors of doubles, shape (..., 3) or (..., 4)."""
-        return self._value(np.moveaxis(np.asarray(x, dtype=float), -1, 0), self._doubles)
+        return self._value(list(np.moveaxis(np.asarray(x, dtype=float), -1, 0)), self._doubles)
 
     def _value(self, x: Sequence[Any], terms: Sequence[Terms]) -> Any:
         polynomial, *twist = terms

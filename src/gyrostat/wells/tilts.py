@@ -13,7 +13,7 @@ from ..mechanics.equilibrium.reduction import K3
 from ..notation import Stored
 from .tilt_line import Line, lowest
 
-WALLS = "no tilt stops it: the walls of V hold it at every energy"
+WALLS = "there is no pass: the walls of V hold it at every energy"
 ROUND = "V falls beyond no other equilibrium of its level: none is a way out"
 NO_MINIMUM = "its tilt is no strict minimum of V on its level: no energy bound holds it"
 TURNS = "its momentum along the axis is lost by internal damping: it is no equilibrium there"

@@ -200,8 +200,8 @@ def well_of(rotation: RelativeEquilibrium) -> "Well":
     except ScopeError as error:
         return Well(rotation, reason=str(error))
     points = landscape.points
-    indices = [None if e.locus or 0 in e.form.signs else len(e.form.signs) - e.form.index if turned
-               else e.form.index for e in points]
+    down = [None if e.locus or 0 in e.form.signs else e.form.index for e in points]
+    indices = [len(e.form.signs) - n if turned and n is not None else n for n, e in zip(down, points)]
     paths = Paths(landscape, indices)
     with own_precision(BITS):
         here = landscape.number(rotation)
