@@ -1,5 +1,5 @@
 """How stable: the well of the energy round a motion, its passes, and the kicks that stay inside.
 
 Where the tilt alone moves, the energy is a function of one variable (`tilt_line`), and its wells are exact
-(`tilts`).
+(`tilts`). With names for numbers, `closed_forms` has those that are known as formulas.
 """

@@ -15,6 +15,7 @@ from sympy import (
     Symbol,
     asin,
     cancel,
+    nan,
     oo,
     sin,
     sqrt,
@@ -49,9 +50,10 @@ class ClosedForm(Stored):
         it holds where all of them are positive
     barrier : Expr
         height of the first other equilibrium [M L²/T²]; oo if there is none
-    kick : Expr
+    kick : Expr or None
         the impulsive torque below which the motion stays [M L²/T]; a name theta in it is an angle from the
-        place of the axis, within which it stays. A Piecewise has no value where no formula is known
+        place of the axis, within which it stays. A Piecewise has no value where no formula is known; None
+        if these are its numbers
     tilt : Expr or None
         the angle below which the body may be turned, at rest in the orbit
     root : str
@@ -65,7 +67,7 @@ class ClosedForm(Stored):
     scene: str
     conditions: tuple[Expr, ...]
     barrier: Expr
-    kick: Expr
+    kick: Expr | None
     tilt: Expr | None = None
     root: str = ""
     equation: Expr | None = None
@@ -93,7 +95,7 @@ class ClosedForm(Stored):
         barrier, kick, tilt, equation = (None if x is None else x.xreplace(given) for x in (
             self.barrier, self.kick, self.tilt, self.equation))
         return replace(self, conditions=tuple(x for x in conditions if x.free_symbols), barrier=barrier,
-                       kick=kick, tilt=tilt, equation=equation,
+                       kick=None if kick is nan else kick, tilt=tilt, equation=equation,
                        names=tuple((name, x) for name, x in meant.items() if name not in given))
 
 
