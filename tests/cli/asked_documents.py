@@ -44,6 +44,8 @@ QUESTIONS = {
         f"--potential 'c1*k1 + c3*k3' {TILTED} sin(a),0,cos(a)",
         f"--potential 'p*q*k1 + r*k2 + s*k3' {TILTED} stereographic",
         f"{HEAVY} --windows",
+        "--potential m0*k3 --gyrostatic-momentum 0,0,0 --well",
+        "--orbit omega0 --gyrostatic-momentum 0,l,0 --well",
         "--potential none",
         "--potential none --inertia I1,I2,I3 --gyrostatic-momentum 0,l,0",
         "--scene {scenes}#station --platform-damping c_p --rotor-damping c_r",

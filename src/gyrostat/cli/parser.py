@@ -47,6 +47,8 @@ def parser() -> argparse.ArgumentParser:
                             "gives all other names; NAME may be the speed of a --wheel in orbit")
     conditions.add_argument("--windows", action="store_true", help="add what decides between the two "
                             "conditions of an asymmetric body in a field: resonances and D4, as formulas")
+    conditions.add_argument("--well", action="store_true", help="add how far it is stable: the "
+                            "barrier of its well and the kick it bears, as formulas, where they are known")
     conditions.add_argument("--full", action="store_true", help="print every case of --solve-for, however "
                             "long; default: at most 25 lines")
     for option, body in (("--platform-damping", "platform"), ("--rotor-damping", "rotor")):

@@ -3,7 +3,6 @@ from dataclasses import dataclass
 
 from sympy import Expr, S, cos, oo, pi, sin, sqrt
 
-from .._display import Shown
 from ..algebra.reals.exact import evaluate, plain, proved_sign
 from ..algebra.text.numbers import exact_expression
 from ..equilibria.finders.revolution_form import RevolutionForm
@@ -39,8 +38,8 @@ class Pass:
     kind: str
 
 
-@dataclass(frozen=True, repr=False)
-class TiltWell(Shown, Stored):
+@dataclass(frozen=True)
+class TiltWell(Stored):
     """The well of a motion of constant tilt: barrier, passes, and the kicks below which it stays.
 
     Parameters

@@ -27,7 +27,7 @@ _BESIDE = MappingProxyType({
     "inertia": INERTIA, "gyrostatic_momentum": MOMENTUM, "axial": INERTIA, "transverse": INERTIA,
     "rate": RATE, "momentum": MOMENTUM, "axis": NONE, "orbit rate": RATE, "orbit mu": Dimension(0, 3, -2),
     "orbit radius": LENGTH, "orbit height": LENGTH, "orbit period": TIME, "angle of roll": ANGLE,
-    "angle of pitch": ANGLE, "angle of yaw": ANGLE, "direction": NONE, "resolution": NONE, "sizes": NONE,
+    "angle of pitch": ANGLE, "angle of yaw": ANGLE, "direction": NONE, "degrees": NONE, "resolution": NONE, "sizes": NONE,
     "l/(I_pitch ω0)": NONE, "transverse rate": RATE, "axial rate": RATE, "--transverse": RATE,
     "--axial": RATE, "mass": MASS, "coupling": Dimension(1, 1, 0), "--energy": TORQUE,
     "--momentum": MOMENTUM, "--until": TIME, "--step": TIME, "--tolerance": NONE, "U": TORQUE, "drift": RATE,

@@ -19,7 +19,7 @@ from ...printing.results.document import conditions_blocks
 from ...printing.results.inequalities import criterion_blocks
 from ...questions.answers.between_criteria import between_blocks
 from ...questions.answers.condition_list import condition_list
-from ...questions.answers.equilibria import labels_of, some
+from ...questions.answers.equilibria import labels_of, reports_of, some
 from ...questions.given_numbers import numbers_of
 from ...questions.scene_texts import Asked, scene_of, table_of
 from ...stability.criteria.number_notes import scene_note
@@ -54,10 +54,16 @@ def run(given: argparse.Namespace, out: Output) -> int:
     if sink:
         after += [Heading("Energy sink"), *criterion_blocks("Stable, to first order in weak dampers", sink,
                                                              symbol("k3"), "energy sink")]
+    wells = {}
+    if given.well:
+        reports, _ = reports_of(asked, labels, numbers)
+        wells = loaded("questions.answers.closed_wells:wells_of")(reports, numbers)
+        after += loaded("questions.answers.closed_wells:wells_blocks")(wells)
     for label, held in found.between.items():
         after += [Heading(f"{label}, between its two conditions"), *between_blocks(held)]
     if given.format == "json":
-        out(json_text(found.data()))
+        more = {"wells": loaded("questions.answers.closed_wells:wells_data")(wells)} if wells else {}
+        out(json_text(found.data() | more))
     elif given.format == "latex":
         paper = loaded("cli.options.latex_options:paper_of")(given)
         out(loaded("printing.formats.tables:conditions_table")(found.reports, paper, after))
