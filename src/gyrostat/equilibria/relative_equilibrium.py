@@ -18,9 +18,9 @@ from ..stability.form import Form
 from ..stability.report.report import Report
 
 if TYPE_CHECKING:
-    from ..wells.well import Well
     from .attitude_in_orbit import Attitude
     from .doubles import Doubles
+    from .wells.well import Well
 
 
 @dataclass(frozen=True, repr=False)
@@ -104,7 +104,7 @@ class RelativeEquilibrium(Shown, Stored):
     @cached_property
     def well(self) -> "Well":
         """The well of the energy round it: its barrier and safe kicks, or why there is none."""
-        found: Well = loaded("wells.well:well_of")(self)
+        found: Well = loaded("equilibria.wells.well:well_of")(self)
         return found
 
     @property

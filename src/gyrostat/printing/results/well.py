@@ -4,8 +4,8 @@ from decimal import ROUND_FLOOR, Context
 from typing import Any
 
 from ...equilibria.relative_equilibrium import RelativeEquilibrium
+from ...equilibria.wells.well import Well
 from ...mechanics.scenes.kind import Kind
-from ...wells.well import Well
 from ..blocks import Block, sentence
 
 BEHIND = {"well": "behind which lies another stable equilibrium",

@@ -22,15 +22,15 @@ from sympy import (
     tan,
 )
 
-from ..algebra.reals.exact import proved_sign
-from ..algebra.rings.polynomials import derivatives
-from ..mechanics.equilibrium.equilibrium import Equilibrium
-from ..mechanics.equilibrium.reduction import K3, OMEGA, P, V, reduce
-from ..mechanics.families.circular_orbit import by_gradient_alone, orbital_rate
-from ..mechanics.families.named_families import E3, EARTH_POINTING, POLES, PRINCIPAL
-from ..mechanics.scenes.kind import Kind
-from ..mechanics.scenes.system import names_of_scene
-from ..notation import Stored, symbol
+from ...algebra.reals.exact import proved_sign
+from ...algebra.rings.polynomials import derivatives
+from ...mechanics.equilibrium.equilibrium import Equilibrium
+from ...mechanics.equilibrium.reduction import K3, OMEGA, P, V, reduce
+from ...mechanics.families.circular_orbit import by_gradient_alone, orbital_rate
+from ...mechanics.families.named_families import E3, EARTH_POINTING, POLES, PRINCIPAL
+from ...mechanics.scenes.kind import Kind
+from ...mechanics.scenes.system import names_of_scene
+from ...notation import Stored, symbol
 
 THETA, Z = symbol("theta"), symbol("z")
 # of the moments across the axis, that nearer to the one about it; the two ways out of a satellite

@@ -7,7 +7,7 @@ from filled_line import Line, greatest_angle
 from sympy import Poly, Rational, S, oo, rad
 
 import gyrostat as gs
-from gyrostat.wells.closed_forms import THETA, Z, closed_forms
+from gyrostat.equilibria.wells.closed_forms import THETA, Z, closed_forms
 
 
 def fraction(random, low, high, d):

@@ -8,7 +8,7 @@ from scipy.integrate import solve_ivp
 from sympy import Max, Min, Piecewise, Poly, Rational, S, rad
 
 import gyrostat as gs
-from gyrostat.wells.closed_forms import THETA, Z, closed_forms
+from gyrostat.equilibria.wells.closed_forms import THETA, Z, closed_forms
 
 AXES = [(1, 2, 3), (2, 3, 1), (3, 1, 2), (2, 1, 3), (1, 3, 2), (3, 2, 1)]
 

@@ -6,13 +6,13 @@ from typing import Any
 from flint import arb
 from sympy import Matrix, oo
 
-from ..algebra.enclosures.balls import ball
-from ..algebra.enclosures.precision import own_precision
-from ..algebra.reals.exact import evaluate, sign_of_constant
-from ..algebra.text.numbers import exact_expression
-from ..equilibria.relative_equilibrium import RelativeEquilibrium
-from ..errors import ScopeError, ValuesError
-from ..mechanics.scenes.kind import Kind
+from ...algebra.enclosures.balls import ball
+from ...algebra.enclosures.precision import own_precision
+from ...algebra.reals.exact import evaluate, sign_of_constant
+from ...algebra.text.numbers import exact_expression
+from ...errors import ScopeError, ValuesError
+from ...mechanics.scenes.kind import Kind
+from ..relative_equilibrium import RelativeEquilibrium
 from .landscape import BITS
 from .tilts import TiltWell
 

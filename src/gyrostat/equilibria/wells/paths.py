@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 from flint import arb, arb_series
 
-from ..algebra.enclosures.precision import own_precision
+from ...algebra.enclosures.precision import own_precision
 from .landscape import BITS, Landscape
 
 DEEPEST = 14                                           # halvings of a segment

@@ -7,21 +7,21 @@ from typing import Any
 from flint import arb
 from sympy import Expr, Poly, oo
 
-from .._cached import cached_property
-from .._display import Shown
-from ..algebra.enclosures.precision import own_precision
-from ..algebra.reals.exact import evaluate
-from ..equilibria.relative_equilibrium import RelativeEquilibrium
-from ..errors import ScopeError
-from ..mechanics.families.circular_orbit import by_gradient_alone
-from ..mechanics.scenes.kind import Kind
-from ..mechanics.scenes.potential import DIRECTIONS
-from ..stability.decision import Verdict
+from ..._cached import cached_property
+from ..._display import Shown
+from ...algebra.enclosures.precision import own_precision
+from ...algebra.reals.exact import evaluate
+from ...errors import ScopeError
+from ...mechanics.families.circular_orbit import by_gradient_alone
+from ...mechanics.scenes.kind import Kind
+from ...mechanics.scenes.potential import DIRECTIONS
+from ...stability.decision import Verdict
+from ..relative_equilibrium import RelativeEquilibrium
 from .kicks import about_the_nodes, kick_below
 from .landscape import BITS, landscape_of
+from .merge_tree import Outcome, outcome
 from .paths import Paths
 from .tilts import TiltWell, tilt_well
-from .tree import Outcome, outcome
 
 UNSTABLE = "it is not stable: no kick is small enough"
 DEGENERATE = "the second variation is degenerate here: that it is stable is known, and no barrier"

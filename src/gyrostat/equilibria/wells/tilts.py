@@ -3,13 +3,13 @@ from dataclasses import dataclass
 
 from sympy import Expr, S, cos, oo, pi, sin, sqrt
 
-from ..algebra.reals.exact import evaluate, plain, proved_sign
-from ..algebra.text.numbers import exact_expression
-from ..equilibria.finders.revolution_form import RevolutionForm
-from ..equilibria.relative_equilibrium import RelativeEquilibrium
-from ..errors import ScopeError, ValuesError
-from ..mechanics.equilibrium.reduction import K3
-from ..notation import Stored
+from ...algebra.reals.exact import evaluate, plain, proved_sign
+from ...algebra.text.numbers import exact_expression
+from ...errors import ScopeError, ValuesError
+from ...mechanics.equilibrium.reduction import K3
+from ...notation import Stored
+from ..finders.revolution_form import RevolutionForm
+from ..relative_equilibrium import RelativeEquilibrium
 from .tilt_line import Line, lowest
 
 WALLS = "there is no pass: the walls of V hold it at every energy"

@@ -8,17 +8,17 @@ import numpy as np
 from flint import arb
 from sympy import Add, Expr, Matrix, Poly, PolynomialError, Rational, Symbol, sqrt
 
-from .._cached import cached_property
-from ..algebra.enclosures.balls import ball
-from ..algebra.enclosures.precision import own_precision
-from ..algebra.reals.exact import sign_of_constant
-from ..algebra.solving.real_fields import FieldNumbers
-from ..equilibria.relative_equilibrium import RelativeEquilibrium
-from ..equilibria.search import relative_equilibria
-from ..errors import ScopeError
-from ..mechanics.scenes.kind import Kind
-from ..mechanics.scenes.potential import DIRECTIONS
-from ..notation import components
+from ..._cached import cached_property
+from ...algebra.enclosures.balls import ball
+from ...algebra.enclosures.precision import own_precision
+from ...algebra.reals.exact import sign_of_constant
+from ...algebra.solving.real_fields import FieldNumbers
+from ...errors import ScopeError
+from ...mechanics.scenes.kind import Kind
+from ...mechanics.scenes.potential import DIRECTIONS
+from ...notation import components
+from ..relative_equilibrium import RelativeEquilibrium
+from ..search import relative_equilibria
 
 BITS = 128                                             # of balls
 DIGITS = 10**9                                         # largest denominator of a level
