@@ -181,3 +181,5 @@ def test_a_piecewise_form_has_every_case_by_name():
     (yaw, first), (pitch, second) = (form := named(closed_forms(gs.earth_pointing(scene))[0], numbers)).names
     assert isinstance(first, Piecewise) and isinstance(second, Piecewise) and form.barrier == Min(yaw, pitch)
     assert named(form, {"l": 5}).barrier == Rational(45, 4) and named(form, {"l": -20}) is None
+    equal = named(closed_forms(gs.earth_pointing(scene))[0], {"omega0": 1, "I1": 3, "I2": 3, "I3": 2})
+    assert equal.names == ((yaw, 2 * gs.symbol("l")),) and equal.barrier == Min(yaw, Rational(3, 2))

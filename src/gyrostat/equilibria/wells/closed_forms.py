@@ -20,6 +20,7 @@ from sympy import (
     sin,
     sqrt,
     tan,
+    zoo,
 )
 
 from ...algebra.reals.exact import proved_sign
@@ -86,7 +87,7 @@ class ClosedForm(Stored):
         >>> there.barrier, there.kick
         (5, 5*sqrt(14))
         """
-        meant = {name: x.xreplace(dict(values)) for name, x in self.names}
+        meant = {name: _finite(x.xreplace(dict(values))) for name, x in self.names}
         # a name that stays stands for what it means
         given = {**{name: x for name, x in meant.items() if not x.free_symbols}, **values}
         conditions = [x.xreplace(given) for x in self.conditions]
@@ -97,6 +98,11 @@ class ClosedForm(Stored):
         return replace(self, conditions=tuple(x for x in conditions if x.free_symbols), barrier=barrier,
                        kick=None if kick is nan else kick, tilt=tilt, equation=equation,
                        names=tuple((name, x) for name, x in meant.items() if name not in given))
+
+
+def _finite(x: Expr) -> Expr:
+    """Without the cases that two equal moments exclude."""
+    return Piecewise(*(case for case in x.args if not case[0].has(zoo))) if isinstance(x, Piecewise) else x
 
 
 def closed_forms(eq: Equilibrium) -> tuple[ClosedForm, ...]:
