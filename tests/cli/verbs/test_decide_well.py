@@ -18,6 +18,7 @@ def test_a_satellite_in_words(capsys):
     assert (status, err) == (0, "") and flat.count("Well:") == 4
     assert flat.count("Well: 5 up to the pass at roll 0°, pitch 0°, yaw 90°, behind which lies another") == 2
     assert flat.count("A kick below 18.7082 does not take it out") == 4
+    assert flat.count("Turned by less than 15.5013° about whatever axis, and let go at rest") == 4
     assert flat.count("Under internal damping every motion inside comes back.") == 4
     assert "Well:" not in decide(capsys, *SATELLITE)[1]
 

@@ -6,6 +6,7 @@ from fractions import Fraction
 import numpy as np
 import pytest
 from oracles.flooded import escape, frames, shape, sphere
+from scipy.spatial.transform import Rotation
 from sympy import Rational
 
 import gyrostat as gs
@@ -67,6 +68,28 @@ def test_kicks():
     assert each == pytest.approx([math.sqrt(2 * 5 * I) for I in (60, 70, 35)], rel=1e-15)
     with pytest.raises(ValuesError, match="direction"):
         craft.well.kick((0, 0, 0))
+
+
+@pytest.mark.parametrize("rotor", [(0, 0, 0), (0, 5, 0), (1, 2, 3)])
+def test_tilts_at_rest(rotor):
+    """Along every turn below the angle V is below the pass; without a rotor the angle is the theory's."""
+    moments, l = np.array([60, 70, 35.0]), np.array(rotor, dtype=float)
+    rng = np.random.default_rng(3)
+    for e in stable(satellite((60, 70, 35), rotor), {}):
+        n, r = (np.array([e.doubles.place[f"{v}{m}"] for m in (1, 2, 3)]) for v in "nr")
+        axes = rng.normal(size=(500, 3))
+        axes /= np.linalg.norm(axes, axis=1)[:, None]
+        for share in (0.3, 0.7, 0.999):
+            turns = Rotation.from_rotvec(np.radians(e.well.tilt()) * share * axes)
+            N, R = turns.apply(n), turns.apply(r)
+            V = 1.5 * R**2 @ moments - 0.5 * N**2 @ moments - N @ l
+            here = 1.5 * r**2 @ moments - 0.5 * n**2 @ moments - n @ l
+            assert np.all(V - here < e.well.barrier_double)
+            assert not any(rotor) or np.max(V - here) > 0.3 * share**2 * e.well.barrier_double
+        if not any(rotor):
+            assert e.well.tilt() == pytest.approx(15.5013595669370, rel=1e-14)
+    with pytest.raises(ScopeError, match="gravity gradient"):
+        stable(HEAVY, {"C1": "5/2"})[0].well.tilt()
 
 
 def test_the_size_of_a_scene_does_not_matter():

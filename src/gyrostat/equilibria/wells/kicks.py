@@ -1,4 +1,4 @@
-"""The impulses of a torque that are too weak to lift a motion over a barrier, rounded down."""
+"""The impulses of a torque, and the tilts, that are too small to lift a motion over a barrier."""
 import math
 from collections.abc import Sequence
 from typing import Any
@@ -40,6 +40,28 @@ def kick_below(rotation: RelativeEquilibrium, barrier: arb, direction: Sequence[
         else:
             stiffness = max((1 / ball(x, BITS) for x in body.moments), key=lambda x: float(x.mid()))
         return _below((2 * barrier / stiffness).sqrt())
+
+
+def tilt_below(rotation: RelativeEquilibrium, barrier: arb) -> float:
+    """Return an angle in degrees below which a turn of a satellite at rest raises V by less than a barrier.
+
+    Along a turn by θ the slope of V is 0 at first, and its second derivative at most K: V rises by K θ²/2 at
+    most. With the difference D of the greatest and the least moment, K = (2 + √5) D ω0² + ω0 abs(l), as
+    ½ x·Ax of a unit vector that turns has a second derivative of at most (1/2 + √5/4) D. Without a rotor V
+    rises by 2 D ω0² sin²θ at most.
+    """
+    body, rate = rotation.scene.body, ball(rotation.rates["omega0"], BITS)
+    with own_precision(BITS):
+        moments = sorted((ball(x, BITS) for x in body.moments), key=lambda x: float(x.mid()))
+        spread = moments[2] - moments[0]
+        rotor = [ball(x, BITS) for x in body.gyrostatic_momentum]
+        length = sum((x * x for x in rotor), arb(0)).sqrt()
+        angle = (2 * barrier / ((2 + arb(5).sqrt()) * spread * rate**2 + abs(rate) * length)).sqrt()
+        share = barrier / (2 * spread * rate**2)
+        if not any(body.gyrostatic_momentum) and share < 1:
+            exact = share.sqrt().asin()
+            angle = exact if exact > angle else angle
+        return min(_below(angle * 180 / arb.pi()), 180.0)
 
 
 def about_the_nodes(well: TiltWell, direction: Sequence[Any] | None) -> float:

@@ -17,7 +17,7 @@ from ...mechanics.scenes.kind import Kind
 from ...mechanics.scenes.potential import DIRECTIONS
 from ...stability.decision import Verdict
 from ..relative_equilibrium import RelativeEquilibrium
-from .kicks import about_the_nodes, kick_below
+from .kicks import about_the_nodes, kick_below, tilt_below
 from .landscape import BITS, landscape_of
 from .merge_tree import Outcome, outcome
 from .paths import Paths
@@ -58,20 +58,20 @@ class Well(Shown):
     heights: Sequence[arb] = ()
     found: Outcome = Outcome()
     reason: str = ""
-    tilt: TiltWell | None = None
+    line: TiltWell | None = None
 
     @cached_property
     def barrier(self) -> Expr | None:
         """The height of the lowest equilibrium that the well touches, exact; None if there is no answer."""
-        if self.tilt is not None:
-            return self.tilt.barrier
+        if self.line is not None:
+            return self.line.barrier
         return self._above(self.found.passes[0]) if self.found.passes else None
 
     @cached_property
     def escape(self) -> Expr | None:
         """The least height from which another minimum is reached, exact; oo if there is none."""
-        if self.tilt is not None:
-            return self.tilt.escape
+        if self.line is not None:
+            return self.line.escape
         if self.found.escape is not None:
             return self._above(self.found.escape)
         return None if self.found.stopped is not None or not self.found.passes else oo
@@ -79,15 +79,15 @@ class Well(Shown):
     @property
     def barrier_double(self) -> float | None:
         """The barrier as a double, without the exact number being written out [M L²/T²]."""
-        if self.tilt is not None:
-            return None if self.tilt.barrier is None else float(self.tilt.barrier)
+        if self.line is not None:
+            return None if self.line.barrier is None else float(self.line.barrier)
         return float(self.heights[self.found.passes[0]].mid()) if self.found.passes else None
 
     @property
     def escape_double(self) -> float | None:
         """The escape as a double; infinity if there is no other minimum [M L²/T²]."""
-        if self.tilt is not None:
-            return None if self.tilt.escape is None else float(self.tilt.escape)
+        if self.line is not None:
+            return None if self.line.escape is None else float(self.line.escape)
         if self.found.escape is not None:
             return float(self.heights[self.found.escape].mid())
         return None if self.escape is None else math.inf
@@ -104,8 +104,8 @@ class Well(Shown):
 
         Of a body of revolution it may be a "shelf", an inflection.
         """
-        if self.tilt is not None:
-            return self.tilt.passes[0].kind if self.tilt.passes else ""
+        if self.line is not None:
+            return self.line.passes[0].kind if self.line.passes else ""
         return self.found.kind
 
     @property
@@ -151,9 +151,27 @@ class Well(Shown):
             raise ScopeError(SPHERE)
         if kind is not Kind.ORBIT and not level:
             raise ScopeError(LEAVES)
-        if self.tilt is not None:
-            return about_the_nodes(self.tilt, direction)
+        if self.line is not None:
+            return about_the_nodes(self.line, direction)
         return kick_below(self.rotation, self.heights[self.found.passes[0]], direction)
+
+    def tilt(self) -> float:
+        """Return the angle below which a satellite may be turned, at rest in its orbit, and stays.
+
+        Returns
+        -------
+        float
+            degrees, about whatever axis, rounded down
+
+        Raises
+        ------
+        ScopeError
+            there is no barrier, or it is no satellite in the gravity gradient alone
+        """
+        if not self.found.passes or not by_gradient_alone(self.rotation.scene):
+            raise ScopeError("a tilt is bounded of a satellite at rest in its orbit, in the gravity gradient "
+                             "alone" + (f"; {self.reason}" if self.reason else ""))
+        return tilt_below(self.rotation, self.heights[self.found.passes[0]])
 
     @cached_property
     def damped(self) -> bool | None:
@@ -189,7 +207,7 @@ def well_of(rotation: RelativeEquilibrium) -> "Well":
         return Well(rotation, reason=UNSTABLE if rotation.decision.verdict is Verdict.UNSTABLE else HELD)
     if rotation.scene.kind is Kind.REVOLUTION:
         tilt = tilt_well(rotation)
-        return Well(rotation, reason=tilt.reason, tilt=tilt)
+        return Well(rotation, reason=tilt.reason, line=tilt)
     if form.index is None:
         return Well(rotation, reason=DEGENERATE)
     turned = rotation.scene.kind is Kind.FREE and form.index == len(form.signs)

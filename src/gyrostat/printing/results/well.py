@@ -5,6 +5,7 @@ from typing import Any
 
 from ...equilibria.relative_equilibrium import RelativeEquilibrium
 from ...equilibria.wells.well import Well
+from ...mechanics.families.circular_orbit import by_gradient_alone
 from ...mechanics.scenes.kind import Kind
 from ..blocks import Block, sentence
 
@@ -30,6 +31,9 @@ def well_blocks(well: Well, units: bool) -> list[Block]:
     if (kick := _kick(well)) is not None:
         which = "A kick" if well.rotation.scene.kind is Kind.ORBIT else "A kick that keeps its level"
         said.append(f"{which} below {_short(kick)}{impulse} does not take it out, in whatever direction.")
+    if (angle := _tilt(well)) is not None:
+        said.append(f"Turned by less than {_short(angle)}° about whatever axis, and let go at rest in the "
+                    "orbit, it stays too.")
     if well.damped:
         said.append("Under internal damping every motion inside comes back.")
     return [sentence(line) for line in said]
@@ -42,13 +46,18 @@ def well_data(well: Well) -> dict[str, Any]:
             "held_at_every_energy": barrier == math.inf, "at_least": well.bound,
             "passes": [e.doubles.place for e in well.passes],
             "beyond": [e.doubles.place for e in well.beyond],
-            "kick": _finite(kick), "damped": well.damped, "reason": well.reason}
+            "kick": _finite(kick), "tilt": _tilt(well), "damped": well.damped, "reason": well.reason}
 
 
 def _kick(well: Well) -> float | None:
     kind = well.rotation.scene.kind
     known = well.barrier_double is not None and kind is not Kind.FREE
     return well.kick(level=kind is not Kind.ORBIT) if known else None
+
+
+def _tilt(well: Well) -> float | None:
+    known = well.barrier_double is not None and by_gradient_alone(well.rotation.scene)
+    return well.tilt() if known else None
 
 
 def _where(found: RelativeEquilibrium) -> str:
