@@ -2,4 +2,5 @@
 
 Where the tilt alone moves, the energy is a function of one variable (`tilt_line`), and its wells are exact
 (`tilts`). With names for numbers, `closed_forms` has those that are known as formulas.
+How far k goes after a kick is asked with or without a pass (`within`), by V on circles (`circles`).
 """
