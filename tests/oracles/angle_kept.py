@@ -60,13 +60,18 @@ class HeavyBody:
             return energy([mpmath.cos(theta) * x + mpmath.sin(theta) * (
                 mpmath.cos(phi) * y + mpmath.sin(phi) * z) for x, y, z in zip(k0, a, b)])
 
-        turns = [2 * mpmath.pi * n / 72 for n in range(72)]
-        start = min(turns, key=on)
-        low, high, golden = start - turns[1], start + turns[1], (mpmath.sqrt(5) - 1) / 2
-        for _ in range(70):
-            x, y = high - golden * (high - low), low + golden * (high - low)
-            low, high = (low, y) if on(x) < on(y) else (x, high)
-        return on((low + high) / 2) - energy(k0)
+        step = 2 * mpmath.pi / 72
+        heights = [on(step * n) for n in range(72)]
+        lows = [n for n in range(72) if heights[n] <= min(heights[n - 1], heights[(n + 1) % 72])]
+        return min(_lowest(on, step * (n - 1), step * (n + 1)) for n in lows) - energy(k0)
+
+
+def _lowest(f, low, high):
+    golden = (mpmath.sqrt(5) - 1) / 2
+    for _ in range(50):
+        x, y = high - golden * (high - low), low + golden * (high - low)
+        low, high = (low, y) if f(x) < f(y) else (x, high)
+    return f((low + high) / 2)
 
 
 def _cross(a, b):
