@@ -14,7 +14,7 @@ import gyrostat
 
 SRC = Path(gyrostat.__file__).parent
 FLOORS = ("version _lazy _cached _display errors notation typesetting registry arguments algebra mechanics "
-          "stability derivation equilibria wells parameters printing charts trajectories plotting published "
+          "stability derivation equilibria parameters printing charts trajectories plotting published "
           "questions cli __main__").split()
 OPTIONAL = {"matplotlib", "xarray", "dask", "distributed", "zarr", "numba", "llvmlite", "scipy", "heyoka",
             "contourpy", "plotly"}

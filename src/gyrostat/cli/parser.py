@@ -92,6 +92,9 @@ def parser() -> argparse.ArgumentParser:
                         "is confirmed")
     decide.add_argument("--full", action="store_true", help="print below the table of several equilibria "
                         "the details of each: exact numbers, frequencies, margins and reasons")
+    decide.add_argument("--well", action="store_true",
+                        help="add the well of each stable equilibrium: the height of its lowest pass, and "
+                        "the kick below which it stays (text, JSON)")
     decide.add_argument("--format", choices=("text", "csv", "latex", "json"),
                         help="default: by the suffix of --output: .csv, .tex, .json; else text; batch: json")
     decide.add_argument("--exact", action="store_true",

@@ -5,5 +5,5 @@
 rounded, `attitude_in_orbit` its attitude as engineers write it, and `table_rows` makes a table of a list.
 `continuation` follows them along a parameter, through the values at which they meet, appear or
 vanish. `curves` has the sets that they form: Staude's cone and its arcs, regular precessions, and the
-critical points of the amended potential.
+critical points of the amended potential. `wells` has how much a stable one survives: the barriers round it.
 """

@@ -20,6 +20,7 @@ from ..stability.report.report import Report
 if TYPE_CHECKING:
     from .attitude_in_orbit import Attitude
     from .doubles import Doubles
+    from .wells.well import Well
 
 
 @dataclass(frozen=True, repr=False)
@@ -99,6 +100,12 @@ class RelativeEquilibrium(Shown, Stored):
         hundred times as long, as each is written out first.
         """
         return loaded("equilibria.doubles:Doubles")(self.form)
+
+    @cached_property
+    def well(self) -> "Well":
+        """The well of the energy round it: its barrier and safe kicks, or why there is none."""
+        found: Well = loaded("equilibria.wells.well:well_of")(self)
+        return found
 
     @property
     def rates(self) -> dict[str, Expr]:

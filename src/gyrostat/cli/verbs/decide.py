@@ -57,8 +57,10 @@ def run(given: argparse.Namespace, out: Output) -> int:
         return 0
     answers = answers_at(asked, given.equilibrium, numbers)
     if form == "json":
-        out(json_text(answers_data(answers, given.exact)))
+        out(json_text(answers_data(answers, given.exact, given.well)))
         return 0
+    if given.well and form != "text":
+        raise ValuesError(f"--well adds to text and JSON, and --format {form} writes a table: leave one out")
     if form == "csv":
         rows = loaded("questions.answers.answer_rows:answer_rows")(answers)
         out(loaded("printing.formats.csv_rows:csv_text")(rows))
@@ -72,13 +74,16 @@ def run(given: argparse.Namespace, out: Output) -> int:
     without = [block for m in bare if isinstance(m, Missing) for block in m.blocks()]
     units = units_given(given)
     if len(found) < 2 or given.equilibrium is not None:
-        blocks = [block for a in found for block in _blocks(a, a.label, units)]
+        blocks = [block for a in found
+                  for block in [*_blocks(a, a.label, units), *_well(a, given.well, units)]]
         out(text([*blocks, *without, *([] if blocks or without else [sentence(_NOWHERE)]),
                   *note_blocks(note), *(term_blocks(blocks) if given.full else [])], out.width))
         return 0
     out(answer_table(found, units, out.width) + "\n")
-    details = [block for n, a in enumerate(found, 1) for block in _blocks(a, f"{n}  {a.label}", units)
-               ] if given.full else []
+    details = [block for n, a in enumerate(found, 1)
+               for block in [*(_blocks(a, f"{n}  {a.label}", units) if given.full else []),
+                             *_titled(f"{n}  {a.label}", _well(a, given.well and a.decision.stable, units),
+                                      given.full)]]
     out(text([prose(legend(found)), *([] if given.full else [sentence("Details: --full")]), *without,
               *note_blocks(note), *details, *term_blocks(details)], out.width))
     return 0
@@ -127,6 +132,22 @@ def _blocks(answer: Answer, title: str, units: bool) -> list[Block]:
         blocks += [*decision_blocks(answer.itself, answer.at, "The point itself"),
                    reason_block(answer.itself)]
     return blocks
+
+
+def _well(answer: Answer, asked: bool, units: bool) -> list[Block]:
+    """The well, if it is asked for, of what was found at a point."""
+    if not asked:
+        return []
+    if answer.at_point is None:
+        return [sentence("Well: it is found of equilibria in a list; leave --equilibrium out, or give more "
+                         "numbers.")]
+    blocks: list[Block] = loaded("printing.results.well:well_blocks")(answer.at_point.well, units)
+    return blocks
+
+
+def _titled(title: str, blocks: list[Block], full: bool) -> list[Block]:
+    """Blocks under the number and the name of an equilibrium, unless its details stand above."""
+    return [Heading(title), *blocks] if blocks and not full else blocks
 
 
 def _attitude(answer: Answer, units: bool) -> list[Block]:

@@ -3,8 +3,8 @@ from collections.abc import Iterator
 
 from sympy import Expr, Piecewise, S, Symbol, oo
 
+from ...equilibria.wells.closed_forms import ClosedForm
 from ...notation import symbol
-from ...wells.closed_forms import ClosedForm
 from ..blocks import Block, Display, prose, sentence
 
 

@@ -26,10 +26,12 @@ def _bare(decision: Decision | None) -> Decision | None:
     return None if decision is None else replace(decision, note="")
 
 
-def answers_data(answers: Sequence[Answer | Missing], exact: bool = False) -> dict[str, Any]:
-    """The answers as data for JSON, with a common note once; exact numbers if they are asked for."""
+def answers_data(answers: Sequence[Answer | Missing], exact: bool = False,
+                 wells: bool = False) -> dict[str, Any]:
+    """The answers as data for JSON, with a common note once; exact numbers and wells if asked for."""
     note, bare = note_once(answers)
     listed = [a.data() if isinstance(a, Missing) else {"number": n} | _data(a) | (_exact(a) if exact else {})
+              | (_well(a) if wells else {})
               for n, a in enumerate(bare, 1)]
     return {"equilibria": listed} | ({"note": note} if note else {})
 
@@ -45,6 +47,12 @@ def _data(answer: Answer) -> dict[str, Any]:
             "decision": decision_data(answer.decision),
             "damped_decision": None if damped is None else damped_data(damped),
             "itself": None if itself is None else decision_data(itself)}
+
+
+def _well(answer: Answer) -> dict[str, Any]:
+    """The well of what was found at a point; null for another answer."""
+    found = answer.at_point
+    return {"well": None if found is None else loaded("printing.results.well:well_data")(found.well)}
 
 
 def _rates(found: RelativeEquilibrium | None) -> dict[str, Any]:

@@ -4,12 +4,12 @@ from typing import Any
 
 from sympy import Expr
 
+from ...equilibria.wells.closed_forms import ClosedForm, closed_forms
 from ...errors import ScopeError
 from ...notation import symbol
 from ...printing.blocks import Block, Heading, prose
 from ...printing.results.closed_wells import closed_well_blocks
 from ...stability.report.report import Report
-from ...wells.closed_forms import ClosedForm, closed_forms
 
 KNOWN = ("closed forms are known of a rotation of a free gyrostat about the axis that carries l, of E1, E2 "
          "and E3 in a polynomial U(k3), and of an Earth-pointing satellite whose l is along the pitch axis")

@@ -9,9 +9,9 @@ from flint import arb, arb_series
 from sympy import Rational
 
 import gyrostat as gs
+from gyrostat.equilibria.wells.circles import least
+from gyrostat.equilibria.wells.within import kick_within, rise_within
 from gyrostat.errors import ScopeError, ValuesError
-from gyrostat.wells.circles import least
-from gyrostat.wells.within import kick_within, rise_within
 
 U = gs.general_potential(lambda k1, k2, k3: k1 + k2 + k3)
 SCENE = gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 1)), U)

@@ -7,8 +7,8 @@ from filled_line import Line, greatest_angle
 from sympy import Rational, S, expand, integrate, oo
 
 import gyrostat as gs
+from gyrostat.equilibria.wells.tilts import NO_MINIMUM, ROUND, TURNS, WALLS, tilt_well
 from gyrostat.errors import ScopeError, ValuesError
-from gyrostat.wells.tilts import NO_MINIMUM, ROUND, TURNS, WALLS, tilt_well
 
 KINDS = ("E1", "E2", "tilted", "at a pole's level", "damped")
 

@@ -3,11 +3,11 @@ from collections.abc import Iterable
 
 from sympy import Expr, Rational, S, oo
 
-from ..algebra.reals.exact import evaluate, proved_sign
-from ..algebra.rings.polynomials import derivatives
-from ..algebra.solving.roots import in_order, real_roots
-from ..algebra.solving.stations import between
-from ..mechanics.equilibrium.reduction import K3
+from ...algebra.reals.exact import evaluate, proved_sign
+from ...algebra.rings.polynomials import derivatives
+from ...algebra.solving.roots import in_order, real_roots
+from ...algebra.solving.stations import between
+from ...mechanics.equilibrium.reduction import K3
 
 
 class Line:

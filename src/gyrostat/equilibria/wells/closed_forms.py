@@ -20,17 +20,18 @@ from sympy import (
     sin,
     sqrt,
     tan,
+    zoo,
 )
 
-from ..algebra.reals.exact import proved_sign
-from ..algebra.rings.polynomials import derivatives
-from ..mechanics.equilibrium.equilibrium import Equilibrium
-from ..mechanics.equilibrium.reduction import K3, OMEGA, P, V, reduce
-from ..mechanics.families.circular_orbit import by_gradient_alone, orbital_rate
-from ..mechanics.families.named_families import E3, EARTH_POINTING, POLES, PRINCIPAL
-from ..mechanics.scenes.kind import Kind
-from ..mechanics.scenes.system import names_of_scene
-from ..notation import Stored, symbol
+from ...algebra.reals.exact import proved_sign
+from ...algebra.rings.polynomials import derivatives
+from ...mechanics.equilibrium.equilibrium import Equilibrium
+from ...mechanics.equilibrium.reduction import K3, OMEGA, P, V, reduce
+from ...mechanics.families.circular_orbit import by_gradient_alone, orbital_rate
+from ...mechanics.families.named_families import E3, EARTH_POINTING, POLES, PRINCIPAL
+from ...mechanics.scenes.kind import Kind
+from ...mechanics.scenes.system import names_of_scene
+from ...notation import Stored, symbol
 
 THETA, Z = symbol("theta"), symbol("z")
 # of the moments across the axis, that nearer to the one about it; the two ways out of a satellite
@@ -86,7 +87,7 @@ class ClosedForm(Stored):
         >>> there.barrier, there.kick
         (5, 5*sqrt(14))
         """
-        meant = {name: x.xreplace(dict(values)) for name, x in self.names}
+        meant = {name: _finite(x.xreplace(dict(values))) for name, x in self.names}
         # a name that stays stands for what it means
         given = {**{name: x for name, x in meant.items() if not x.free_symbols}, **values}
         conditions = [x.xreplace(given) for x in self.conditions]
@@ -97,6 +98,11 @@ class ClosedForm(Stored):
         return replace(self, conditions=tuple(x for x in conditions if x.free_symbols), barrier=barrier,
                        kick=None if kick is nan else kick, tilt=tilt, equation=equation,
                        names=tuple((name, x) for name, x in meant.items() if name not in given))
+
+
+def _finite(x: Expr) -> Expr:
+    """Without the cases that two equal moments exclude."""
+    return Piecewise(*(case for case in x.args if not case[0].has(zoo))) if isinstance(x, Piecewise) else x
 
 
 def closed_forms(eq: Equilibrium) -> tuple[ClosedForm, ...]:

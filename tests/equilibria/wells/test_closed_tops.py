@@ -7,7 +7,7 @@ from filled_line import Line, greatest_angle
 from sympy import Poly, Rational, S, oo, rad
 
 import gyrostat as gs
-from gyrostat.wells.closed_forms import THETA, Z, closed_forms
+from gyrostat.equilibria.wells.closed_forms import THETA, Z, closed_forms
 
 
 def fraction(random, low, high, d):
@@ -19,13 +19,18 @@ def named(form, numbers):
     return form.at({gs.symbol(name): S(x) for name, x in numbers.items()})
 
 
-def solved(form, k3, s):
-    """The barrier with the root inserted that the form means, next to k3 on the side s; both if s = 0."""
+def solved(form, k3=None):
+    """The barrier with the root inserted that the form names; of the two next to k3 the lower barrier."""
     roots = [z for z in Poly(form.equation, Z).nroots(n=40) if z.is_real and abs(z) < 1]
-    low, high = ([z for z in roots if t * (z - k3) > 1e-12] for t in (-1, 1))
+    which = form.root.split()[1]
     if form.root.startswith("the one between 0"):
-        assert len([z for z in roots if s * z > 0]) == 1
-    beside = [*low[-1:], *high[:1]] if s == 0 else low[-1:] if s == 1 else high[:1]
+        end = int(form.root.split()[-1])
+        [beside] = [[z] for z in roots if end * z > 0]
+    elif which in ("greatest", "least"):
+        beside = roots[-1:] if which == "greatest" else roots[:1]
+    else:
+        low, high = ([z for z in roots if t * (z - k3) > 1e-12] for t in (-1, 1))
+        beside = [*low[-1:], *high[:1]]
     return min((form.barrier.xreplace({Z: z}) for z in beside), default=oo)
 
 
@@ -61,9 +66,9 @@ def test_a_top_against_a_filled_line(seed):
             assert there[0].barrier == oo
             assert agree(kick**2 / (2 * I1), line.within(s, np.radians(angle)), 1e3)
         else:
-            assert agree(solved(there[0], s, s), line.rise(s)[0])
+            assert agree(solved(there[0]), line.rise(s)[0])
         if len(there) == 2:
-            assert agree(solved(there[1], s, s), Line([0, *slopes], I1, I3, 0, s * pi3).rise(s)[0])
+            assert agree(solved(there[1]), Line([0, *slopes], I1, I3, 0, s * pi3).rise(s)[0])
         return
 
 
@@ -88,7 +93,7 @@ def test_inclined_rotations_against_a_filled_line(seed):
     total = (slope + I1 * k3 * omega**2) / omega
     spin = I3 * omega * k3
     line = Line([0, *U], I1, I3, total - spin, I1 * omega * (1 - k3**2) + total * k3, spin)
-    assert agree(solved(there, k3, 0), line.rise(float(k3))[0])
+    assert agree(solved(there, k3), line.rise(float(k3))[0])
 
 
 def test_kicks_are_those_of_motions():

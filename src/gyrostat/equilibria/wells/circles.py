@@ -47,8 +47,8 @@ def least(f: Callable[[arb], arb_series]) -> arb:
 
     Examples
     --------
-    >>> print(least(lambda x: arb_series([x.cos(), -x.sin(), -x.cos() / 2], 3)).str(12))
-    -1.00000000000
+    >>> least(lambda x: arb_series([x.cos(), -x.sin(), -x.cos() / 2], 3)).contains(-1)
+    True
     """
     ends = [7 * n / ARCS for n in range(ARCS + 1)]         # 7 > 2π
     waiting, high = [], arb("inf")

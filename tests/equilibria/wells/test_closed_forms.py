@@ -8,7 +8,7 @@ from scipy.integrate import solve_ivp
 from sympy import Max, Min, Piecewise, Poly, Rational, S, rad
 
 import gyrostat as gs
-from gyrostat.wells.closed_forms import THETA, Z, closed_forms
+from gyrostat.equilibria.wells.closed_forms import THETA, Z, closed_forms
 
 AXES = [(1, 2, 3), (2, 3, 1), (3, 1, 2), (2, 1, 3), (1, 3, 2), (3, 2, 1)]
 
@@ -181,3 +181,5 @@ def test_a_piecewise_form_has_every_case_by_name():
     (yaw, first), (pitch, second) = (form := named(closed_forms(gs.earth_pointing(scene))[0], numbers)).names
     assert isinstance(first, Piecewise) and isinstance(second, Piecewise) and form.barrier == Min(yaw, pitch)
     assert named(form, {"l": 5}).barrier == Rational(45, 4) and named(form, {"l": -20}) is None
+    equal = named(closed_forms(gs.earth_pointing(scene))[0], {"omega0": 1, "I1": 3, "I2": 3, "I3": 2})
+    assert equal.names == ((yaw, 2 * gs.symbol("l")),) and equal.barrier == Min(yaw, Rational(3, 2))

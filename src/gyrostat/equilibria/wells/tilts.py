@@ -3,16 +3,16 @@ from dataclasses import dataclass
 
 from sympy import Expr, S, cos, oo, pi, sin, sqrt
 
-from ..algebra.reals.exact import evaluate, plain, proved_sign
-from ..algebra.text.numbers import exact_expression
-from ..equilibria.finders.revolution_form import RevolutionForm
-from ..equilibria.relative_equilibrium import RelativeEquilibrium
-from ..errors import ScopeError, ValuesError
-from ..mechanics.equilibrium.reduction import K3
-from ..notation import Stored
+from ...algebra.reals.exact import evaluate, plain, proved_sign
+from ...algebra.text.numbers import exact_expression
+from ...errors import ScopeError, ValuesError
+from ...mechanics.equilibrium.reduction import K3
+from ...notation import Stored
+from ..finders.revolution_form import RevolutionForm
+from ..relative_equilibrium import RelativeEquilibrium
 from .tilt_line import Line, lowest
 
-WALLS = "no tilt stops it: the walls of V hold it at every energy"
+WALLS = "there is no pass: the walls of V hold it at every energy"
 ROUND = "V falls beyond no other equilibrium of its level: none is a way out"
 NO_MINIMUM = "its tilt is no strict minimum of V on its level: no energy bound holds it"
 TURNS = "its momentum along the axis is lost by internal damping: it is no equilibrium there"

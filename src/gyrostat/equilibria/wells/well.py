@@ -1,0 +1,236 @@
+"""The well of a stable relative equilibrium: its lowest pass, and the kicks that stay below it."""
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from flint import arb
+from sympy import Expr, Poly, oo
+
+from ..._cached import cached_property
+from ..._display import Shown
+from ...algebra.enclosures.precision import own_precision
+from ...algebra.reals.exact import evaluate
+from ...errors import ScopeError
+from ...mechanics.families.circular_orbit import by_gradient_alone
+from ...mechanics.scenes.kind import Kind
+from ...mechanics.scenes.potential import DIRECTIONS
+from ...stability.decision import Verdict
+from ..relative_equilibrium import RelativeEquilibrium
+from .kicks import about_the_nodes, kick_below, tilt_below
+from .landscape import BITS, landscape_of
+from .merge_tree import Outcome, outcome
+from .paths import Paths
+from .tilts import TiltWell, tilt_well
+
+UNSTABLE = "it is not stable: no kick is small enough"
+DEGENERATE = "the second variation is degenerate here: that it is stable is known, and no barrier"
+HELD = ("the energy has no minimum here: gyroscopic forces hold it, with no bound of the energy, and damping "
+        "takes it away")
+NO_PATH = "the way down from an equilibrium is not proved: no pass lies below it, what lies above is open"
+NOT_ISOLATED = "a degenerate equilibrium lies above: no pass lies below it, what lies above is open"
+LEAVES = "a kick along k changes C1, and the well with it: ask for those across k, level=True"
+SPHERE = "a kick changes the momentum sphere of a free body, and the well with it: ask for its barrier"
+
+
+@dataclass(frozen=True, repr=False)
+class Well(Shown):
+    """The well of the energy round a relative equilibrium, on its level.
+
+    A motion that starts inside, with less energy than the pass, stays inside for ever. On its level are the
+    motions with the same C1 = M·k, of a free body with the same abs(M); of a satellite all motions.
+
+    Parameters
+    ----------
+    rotation : RelativeEquilibrium
+    points : sequence of RelativeEquilibrium
+        all of its level
+    heights : sequence of arb
+        V of each above that of the rotation, in balls [M L²/T²]
+    found : Outcome
+        what the well meets first
+    reason : str
+        why there is no barrier, or why it is only a bound; "" else
+    """
+
+    rotation: RelativeEquilibrium
+    points: Sequence[RelativeEquilibrium] = ()
+    heights: Sequence[arb] = ()
+    found: Outcome = Outcome()
+    reason: str = ""
+    line: TiltWell | None = None
+
+    @cached_property
+    def barrier(self) -> Expr | None:
+        """The height of the lowest equilibrium that the well touches, exact; None if there is no answer."""
+        if self.line is not None:
+            return self.line.barrier
+        return self._above(self.found.passes[0]) if self.found.passes else None
+
+    @cached_property
+    def escape(self) -> Expr | None:
+        """The least height from which another minimum is reached, exact; oo if there is none."""
+        if self.line is not None:
+            return self.line.escape
+        if self.found.escape is not None:
+            return self._above(self.found.escape)
+        return None if self.found.stopped is not None or not self.found.passes else oo
+
+    @property
+    def barrier_double(self) -> float | None:
+        """The barrier as a double, without the exact number being written out [M L²/T²]."""
+        if self.line is not None:
+            return None if self.line.barrier is None else float(self.line.barrier)
+        return float(self.heights[self.found.passes[0]].mid()) if self.found.passes else None
+
+    @property
+    def escape_double(self) -> float | None:
+        """The escape as a double; infinity if there is no other minimum [M L²/T²]."""
+        if self.line is not None:
+            return None if self.line.escape is None else float(self.line.escape)
+        if self.found.escape is not None:
+            return float(self.heights[self.found.escape].mid())
+        return None if self.escape is None else math.inf
+
+    @property
+    def bound(self) -> float | None:
+        """What the barrier is at least, if it is not known [M L²/T²]."""
+        stopped = self.found.stopped
+        return None if self.found.passes or stopped is None else float(self.heights[stopped].lower())
+
+    @property
+    def kind(self) -> str:
+        """Of the pass: "well", "round" (the well closes round a summit), "summit"; "" if there is none.
+
+        Of a body of revolution it may be a "shelf", an inflection.
+        """
+        if self.line is not None:
+            return self.line.passes[0].kind if self.line.passes else ""
+        return self.found.kind
+
+    @property
+    def passes(self) -> tuple[RelativeEquilibrium, ...]:
+        """The equilibria of the height of the barrier that the well touches."""
+        return tuple(self.points[n] for n in self.found.passes)
+
+    @property
+    def beyond(self) -> tuple[RelativeEquilibrium, ...]:
+        """The stable equilibria that are reached at the height of the escape."""
+        return tuple(self.points[n] for n in self.found.beyond)
+
+    def kick(self, direction: Sequence[Any] | None = None, level: bool = False) -> float:
+        """Return the impulse of a torque below which the motion stays in the well, rounded down.
+
+        Parameters
+        ----------
+        direction : sequence of number, shape (3,), optional
+            of the impulse, in the axes of the body; left out: the weakest of all
+        level : bool
+            of kicks across k, which keep C1; those of a satellite have no level
+
+        Returns
+        -------
+        float
+            [M L²/T]
+
+        Raises
+        ------
+        ScopeError
+            there is no barrier, or no bound for such kicks
+        ValuesError
+            the direction is none, or not across k
+
+        References
+        ----------
+        A kick Δ adds Δ·I⁻¹Δ/2 to the energy at rest.
+        """
+        if self.barrier_double is None:
+            raise ScopeError(f"no kick is known to be small enough: {self.reason}")
+        kind = self.rotation.scene.kind
+        if kind is Kind.FREE:
+            raise ScopeError(SPHERE)
+        if kind is not Kind.ORBIT and not level:
+            raise ScopeError(LEAVES)
+        if self.line is not None:
+            return about_the_nodes(self.line, direction)
+        return kick_below(self.rotation, self.heights[self.found.passes[0]], direction)
+
+    def tilt(self) -> float:
+        """Return the angle below which a satellite may be turned, at rest in its orbit, and stays.
+
+        Returns
+        -------
+        float
+            degrees, about whatever axis, rounded down
+
+        Raises
+        ------
+        ScopeError
+            there is no barrier, or it is no satellite in the gravity gradient alone
+        """
+        if not self.found.passes or not by_gradient_alone(self.rotation.scene):
+            raise ScopeError("a tilt is bounded of a satellite at rest in its orbit, in the gravity gradient "
+                             "alone" + (f"; {self.reason}" if self.reason else ""))
+        return tilt_below(self.rotation, self.heights[self.found.passes[0]])
+
+    @cached_property
+    def damped(self) -> bool | None:
+        """Whether every motion inside comes back under internal damping; None if that is not known.
+
+        It is, by LaSalle's theorem, if no motion with a constant rate in the body but the equilibria is
+        possible: in a uniform field, in an orbit with three different moments and no other torque, and of a
+        free body about its axis of least energy. A maximum of the energy is left.
+        """
+        scene = self.rotation.scene
+        if not self.found.passes:
+            return None
+        if scene.kind is Kind.FREE:
+            return self.rotation.form.index == 0
+        if scene.kind is Kind.ORBIT:
+            return True if len(set(scene.body.moments)) == 3 and by_gradient_alone(scene) else None
+        assert scene.potential is not None
+        return True if Poly(scene.potential.expression, *DIRECTIONS).total_degree() == 1 else None
+
+    def _above(self, n: int) -> Expr:
+        rise = evaluate(self.points[n].energy - self.rotation.energy, {})
+        return -rise if self._turned else rise
+
+    @property
+    def _turned(self) -> bool:
+        return self.rotation.scene.kind is Kind.FREE and self.rotation.form.index != 0
+
+
+def well_of(rotation: RelativeEquilibrium) -> "Well":
+    """Return the well of a relative equilibrium, with a reason if it has none."""
+    form = rotation.form
+    if rotation.decision.verdict is not Verdict.STABLE:
+        return Well(rotation, reason=UNSTABLE if rotation.decision.verdict is Verdict.UNSTABLE else HELD)
+    if rotation.scene.kind is Kind.REVOLUTION:
+        tilt = tilt_well(rotation)
+        return Well(rotation, reason=tilt.reason, line=tilt)
+    if form.index is None:
+        return Well(rotation, reason=DEGENERATE)
+    turned = rotation.scene.kind is Kind.FREE and form.index == len(form.signs)
+    if form.index != 0 and not turned:
+        return Well(rotation, reason=HELD)
+    try:
+        landscape = landscape_of(rotation)
+    except ScopeError as error:
+        return Well(rotation, reason=str(error))
+    points = landscape.points
+    down = [None if e.locus or 0 in e.form.signs else e.form.index for e in points]
+    indices = [len(e.form.signs) - n if turned and n is not None else n for n, e in zip(down, points)]
+    paths = Paths(landscape, indices)
+    with own_precision(BITS):
+        here = landscape.number(rotation)
+        levels: list[list[int]] = []
+        for n in sorted(range(len(points)), key=lambda n: float(paths.values[n].mid())):
+            if levels and paths.values[levels[-1][-1]].overlaps(paths.values[n]):
+                levels[-1].append(n)
+            else:
+                levels.append([n])
+        heights = [value - paths.values[here] for value in paths.values]
+    found = outcome(here, levels, indices, paths.ends)
+    stopped = found.stopped
+    reason = "" if stopped is None else NOT_ISOLATED if indices[stopped] is None else NO_PATH
+    return Well(rotation, points, heights, found, reason)

@@ -1,0 +1,76 @@
+"""Writes the well of a stable rotation: its barrier, its pass, the kicks that stay inside."""
+import math
+from decimal import ROUND_FLOOR, Context
+from typing import Any
+
+from ...equilibria.relative_equilibrium import RelativeEquilibrium
+from ...equilibria.wells.well import Well
+from ...mechanics.families.circular_orbit import by_gradient_alone
+from ...mechanics.scenes.kind import Kind
+from ..blocks import Block, sentence
+
+BEHIND = {"well": "behind which lies another stable equilibrium",
+          "round": "over which it closes round a summit and leads to no other stable equilibrium",
+          "summit": "the summit of its level", "shelf": "a shelf, beyond which the energy goes on to rise"}
+SHORT = Context(prec=6, rounding=ROUND_FLOOR)
+
+
+def well_blocks(well: Well, units: bool) -> list[Block]:
+    """Write what there is of a well, to six digits; a kick and a bound are rounded down."""
+    barrier, joule, impulse = well.barrier_double, " J" if units else "", " N m s" if units else ""
+    if barrier is None:
+        least = "" if well.bound is None else f", and its barrier is at least {_short(well.bound)}{joule}"
+        return [sentence(f"Well: {well.reason}{least}.")]
+    if math.isinf(barrier):
+        return [sentence(f"Well: {well.reason}.")]
+    pass_ = f" at {_where(well.passes[0])}" if well.passes else ""
+    said = [f"Well: {barrier:.6g}{joule} up to the pass{pass_}, {BEHIND[well.kind]}."]
+    escape = well.escape_double
+    if escape is not None and not math.isinf(escape) and escape > barrier:
+        said.append(f"Another stable equilibrium is reached from {escape:.6g}{joule} on.")
+    if (kick := _kick(well)) is not None:
+        which = "A kick" if well.rotation.scene.kind is Kind.ORBIT else "A kick that keeps its level"
+        said.append(f"{which} below {_short(kick)}{impulse} does not take it out, in whatever direction.")
+    if (angle := _tilt(well)) is not None:
+        said.append(f"Turned by less than {_short(angle)}° about whatever axis, and let go at rest in the "
+                    "orbit, it stays too.")
+    if well.damped:
+        said.append("Under internal damping every motion inside comes back.")
+    return [sentence(line) for line in said]
+
+
+def well_data(well: Well) -> dict[str, Any]:
+    """The same as data for JSON; null for what is not known, or is infinite."""
+    barrier, kick = well.barrier_double, _kick(well)
+    return {"barrier": _finite(barrier), "escape": _finite(well.escape_double), "kind": well.kind,
+            "held_at_every_energy": barrier == math.inf, "at_least": well.bound,
+            "passes": [e.doubles.place for e in well.passes],
+            "beyond": [e.doubles.place for e in well.beyond],
+            "kick": _finite(kick), "tilt": _tilt(well), "damped": well.damped, "reason": well.reason}
+
+
+def _kick(well: Well) -> float | None:
+    kind = well.rotation.scene.kind
+    known = well.barrier_double is not None and kind is not Kind.FREE
+    return well.kick(level=kind is not Kind.ORBIT) if known else None
+
+
+def _tilt(well: Well) -> float | None:
+    known = well.barrier_double is not None and by_gradient_alone(well.rotation.scene)
+    return well.tilt() if known else None
+
+
+def _where(found: RelativeEquilibrium) -> str:
+    if found.attitude is not None:
+        return str(found.attitude).replace("-", "−")
+    numbers = [x for name, x in found.doubles.place.items() if name[-1] in "123" and x is not None]
+    name = next(iter(found.doubles.place)).rstrip("123")
+    return f"{name} = ({', '.join(f'{x:.6f}' for x in numbers)})".replace("-", "−")
+
+
+def _short(number: float) -> str:
+    return f"{float(SHORT.create_decimal(number)):.6g}"
+
+
+def _finite(number: float | None) -> float | None:
+    return number if number is not None and math.isfinite(number) else None

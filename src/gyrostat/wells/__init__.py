@@ -1,6 +1,0 @@
-"""How stable: the well of the energy round a motion, its passes, and the kicks that stay inside.
-
-Where the tilt alone moves, the energy is a function of one variable (`tilt_line`), and its wells are exact
-(`tilts`). With names for numbers, `closed_forms` has those that are known as formulas.
-How far k goes after a kick is asked with or without a pass (`within`), by V on circles (`circles`).
-"""
