@@ -5,4 +5,5 @@
 the well meets first (`merge_tree`). `kicks` has the impulses that are too weak. Where the tilt alone moves,
 the energy is a function of one variable (`tilt_line`), and its wells are exact (`tilts`). With names for
 numbers, `closed_forms` has those that are known as formulas.
+How far k goes after a kick is asked with or without a pass (`within`), by V on circles (`circles`).
 """

@@ -38,8 +38,15 @@ def kick_below(rotation: RelativeEquilibrium, barrier: arb, direction: Sequence[
             product = _form(_in_balls(body.tensor), k) / ball(body.tensor.det(), BITS)
             stiffness = (trace + abs(trace**2 - 4 * product).sqrt()) / 2
         else:
-            stiffness = max((1 / ball(x, BITS) for x in body.moments), key=lambda x: float(x.mid()))
+            return any_kick_below(rotation, barrier)
         return _below((2 * barrier / stiffness).sqrt())
+
+
+def any_kick_below(rotation: RelativeEquilibrium, rise: arb) -> float:
+    """Return the impulse √(2 B/(u·I⁻¹u)) along the axis of least moment, on which it is least."""
+    with own_precision(BITS):
+        least = min((ball(x, BITS) for x in rotation.scene.body.moments), key=lambda x: float(x.mid()))
+        return _below((2 * rise * least).sqrt())
 
 
 def tilt_below(rotation: RelativeEquilibrium, barrier: arb) -> float:
