@@ -104,7 +104,7 @@ class RelativeEquilibrium(Shown, Stored):
     @cached_property
     def well(self) -> "Well":
         """The well of the energy round it: its barrier and safe kicks, or why there is none."""
-        found: Well = loaded("equilibria.wells.well:well_of")(self)
+        found: Well = loaded("equilibria.wells.find_well:well_of")(self)
         return found
 
     @property

@@ -49,6 +49,8 @@ def test_the_barrier_is_exact():
     """A fraction where it is one; an algebraic number whose digits are those of the balls."""
     found = stable(satellite((60, 70, 35), (0, 5, 0)), {})
     assert sorted(e.well.barrier for e in found) == [Rational(5, 4)] * 2 + [Rational(45, 4)] * 2
+    free = stable(gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, "1/4"))), {"M": 1})
+    assert sorted(e.well.barrier for e in free) == [Rational(1, 48), Rational(3, 16), *[Rational(15, 64)] * 2]
     top, *_ = stable(HEAVY, {"C1": "5/2"})
     assert float(top.well.barrier.evalf(20)) == top.well.barrier_double
     assert top.well.escape == math.inf and top.well.beyond == () and len(top.well.passes) == 1
@@ -90,6 +92,18 @@ def test_tilts_at_rest(rotor):
             assert e.well.tilt() == pytest.approx(15.5013595669370, rel=1e-14)
     with pytest.raises(ScopeError, match="gravity gradient"):
         stable(HEAVY, {"C1": "5/2"})[0].well.tilt()
+
+
+def test_kicks_within_an_angle():
+    """Every scene whose vertical axis is followed has them; numbers of the other program."""
+    top, *_ = stable(HEAVY, {"C1": "5/2"})
+    assert top.well.within(10, level=True) == pytest.approx(0.206108123741844, rel=1e-14)
+    assert top.well.within("10 deg", level=True) == top.well.within(10, level=True) > top.well.within(10)
+    body = gs.assemble(gs.Gyrostat((1, 1, "8/5"), (0, 0, 0)), gs.axial_potential("k3"))
+    sleeping = gs.relative_equilibria(body, {"omega": "3/2"})[0].well
+    assert sleeping.within(10) == pytest.approx(0.117064424992385, rel=1e-14)
+    with pytest.raises(ScopeError, match="body in a field"):
+        stable(satellite((60, 70, 35), (0, 0, 0)), {})[0].well.within(10)
 
 
 def test_the_size_of_a_scene_does_not_matter():

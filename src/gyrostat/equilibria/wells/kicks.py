@@ -13,7 +13,7 @@ from ...algebra.text.numbers import exact_expression
 from ...errors import ScopeError, ValuesError
 from ...mechanics.scenes.kind import Kind
 from ..relative_equilibrium import RelativeEquilibrium
-from .landscape import BITS
+from .in_balls import BITS, form, in_balls, rows_in_balls
 from .tilts import TiltWell
 
 Matrix3 = list[list[arb]]
@@ -29,24 +29,24 @@ def kick_below(rotation: RelativeEquilibrium, barrier: arb, direction: Sequence[
     """
     body, field = rotation.scene.body, rotation.scene.kind is Kind.FIELD
     with own_precision(BITS):
-        inverse = _in_balls(body.inverse)
+        inverse = rows_in_balls(body.inverse)
         if direction is not None:
             stiffness = _along(rotation, direction, inverse, field)
         elif field:
-            k = [ball(x, BITS) for x in rotation.directions[0]]
-            trace = sum((inverse[i][i] for i in range(3)), arb(0)) - _form(inverse, k)
-            product = _form(_in_balls(body.tensor), k) / ball(body.tensor.det(), BITS)
+            k = in_balls(rotation.directions[0])
+            trace = sum((inverse[i][i] for i in range(3)), arb(0)) - form(inverse, k)
+            product = form(rows_in_balls(body.tensor), k) / ball(body.tensor.det(), BITS)
             stiffness = (trace + abs(trace**2 - 4 * product).sqrt()) / 2
         else:
             return any_kick_below(rotation, barrier)
-        return _below((2 * barrier / stiffness).sqrt())
+        return below((2 * barrier / stiffness).sqrt())
 
 
 def any_kick_below(rotation: RelativeEquilibrium, rise: arb) -> float:
     """Return the impulse √(2 B/(u·I⁻¹u)) along the axis of least moment, on which it is least."""
     with own_precision(BITS):
         least = min((ball(x, BITS) for x in rotation.scene.body.moments), key=lambda x: float(x.mid()))
-        return _below((2 * rise * least).sqrt())
+        return below((2 * rise * least).sqrt())
 
 
 def tilt_below(rotation: RelativeEquilibrium, barrier: arb) -> float:
@@ -68,7 +68,7 @@ def tilt_below(rotation: RelativeEquilibrium, barrier: arb) -> float:
         if not any(body.gyrostatic_momentum) and share < 1:
             exact = share.sqrt().asin()
             angle = exact if exact > angle else angle
-        return min(_below(angle * 180 / arb.pi()), 180.0)
+        return min(below(angle * 180 / arb.pi()), 180.0)
 
 
 def about_the_nodes(well: TiltWell, direction: Sequence[Any] | None) -> float:
@@ -84,7 +84,7 @@ def about_the_nodes(well: TiltWell, direction: Sequence[Any] | None) -> float:
                          "leave the direction out")
     kick = well.kick
     assert kick is not None
-    return math.inf if kick == oo else _below(ball(kick, BITS))
+    return math.inf if kick == oo else below(ball(kick, BITS))
 
 
 def _along(rotation: RelativeEquilibrium, direction: Sequence[Any], inverse: Matrix3, across: bool) -> arb:
@@ -94,17 +94,9 @@ def _along(rotation: RelativeEquilibrium, direction: Sequence[Any], inverse: Mat
     if across and sign_of_constant(evaluate(Matrix(exact).dot(Matrix(rotation.directions[0])), {})):
         raise ValuesError("this kick is not across k, and changes C1: leave the direction out")
     u = [ball(x, BITS) for x in exact]
-    return _form(inverse, u) / sum((x * x for x in u), arb(0))
+    return form(inverse, u) / sum((x * x for x in u), arb(0))
 
 
-def _in_balls(matrix: Matrix) -> Matrix3:
-    return [[ball(x, BITS) for x in row] for row in matrix.tolist()]
-
-
-def _form(matrix: Matrix3, u: Sequence[arb]) -> arb:
-    return sum((x * u[i] * u[j] for i, row in enumerate(matrix) for j, x in enumerate(row)), arb(0))
-
-
-def _below(number: arb) -> float:
+def below(number: arb) -> float:
     """A double that is not above a ball."""
     return math.nextafter(math.nextafter(float(number.mid()) - float(number.rad()), 0), 0)

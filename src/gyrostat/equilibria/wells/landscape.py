@@ -12,15 +12,14 @@ from ..._cached import cached_property
 from ...algebra.enclosures.balls import ball
 from ...algebra.enclosures.precision import own_precision
 from ...algebra.reals.exact import sign_of_constant
-from ...algebra.solving.real_fields import FieldNumbers
 from ...errors import ScopeError
 from ...mechanics.scenes.kind import Kind
 from ...mechanics.scenes.potential import DIRECTIONS
 from ...notation import components
 from ..relative_equilibrium import RelativeEquilibrium
 from ..search import relative_equilibria
+from .in_balls import BITS, in_balls
 
-BITS = 128                                             # of balls
 DIGITS = 10**9                                         # largest denominator of a level
 MOMENTUM, NORMAL, UPWARD = (tuple(components(name)) for name in ("pi", "n", "r"))
 
@@ -75,7 +74,7 @@ class Landscape:
 
     def _place(self, rotation: RelativeEquilibrium) -> list[arb]:
         with own_precision(BITS):
-            found = [_in_balls(numbers) for _, numbers in rotation.form.described[:1 + self.attitudes]]
+            found = [in_balls(numbers) for _, numbers in rotation.form.described[:1 + self.attitudes]]
             return _quaternion(*found) if self.attitudes else found[0]
 
     @cached_property
@@ -162,10 +161,6 @@ def _level(number: Expr, name: str) -> Rational:
         raise ScopeError(f"{name} is no fraction here, and all equilibria of a level are found at fractions: "
                          "find the equilibrium by its level")
     return found
-
-
-def _in_balls(numbers: Sequence[Expr]) -> list[arb]:
-    return numbers.balls(BITS) if isinstance(numbers, FieldNumbers) else [ball(x, BITS) for x in numbers]
 
 
 def _rows(q: Sequence[Any], square: Any) -> list[Any]:

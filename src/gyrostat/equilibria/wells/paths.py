@@ -6,7 +6,8 @@ import numpy as np
 from flint import arb, arb_series
 
 from ...algebra.enclosures.precision import own_precision
-from .landscape import BITS, Landscape
+from .in_balls import BITS
+from .landscape import Landscape
 
 DEEPEST = 14                                           # halvings of a segment
 STEPS, LONGEST = 4000, 0.05                            # of a descent; rad

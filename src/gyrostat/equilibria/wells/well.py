@@ -9,26 +9,19 @@ from sympy import Expr, Poly, oo
 
 from ..._cached import cached_property
 from ..._display import Shown
-from ...algebra.enclosures.precision import own_precision
+from ...algebra.enclosures.balls import ball
 from ...algebra.reals.exact import evaluate
 from ...errors import ScopeError
 from ...mechanics.families.circular_orbit import by_gradient_alone
 from ...mechanics.scenes.kind import Kind
 from ...mechanics.scenes.potential import DIRECTIONS
-from ...stability.decision import Verdict
 from ..relative_equilibrium import RelativeEquilibrium
-from .kicks import about_the_nodes, kick_below, tilt_below
-from .landscape import BITS, landscape_of
-from .merge_tree import Outcome, outcome
-from .paths import Paths
-from .tilts import TiltWell, tilt_well
+from .in_balls import BITS
+from .kicks import about_the_nodes, below, kick_below, tilt_below
+from .merge_tree import Outcome
+from .tilts import TiltWell
+from .within import kick_within
 
-UNSTABLE = "it is not stable: no kick is small enough"
-DEGENERATE = "the second variation is degenerate here: that it is stable is known, and no barrier"
-HELD = ("the energy has no minimum here: gyroscopic forces hold it, with no bound of the energy, and damping "
-        "takes it away")
-NO_PATH = "the way down from an equilibrium is not proved: no pass lies below it, what lies above is open"
-NOT_ISOLATED = "a degenerate equilibrium lies above: no pass lies below it, what lies above is open"
 LEAVES = "a kick along k changes C1, and the well with it: ask for those across k, level=True"
 SPHERE = "a kick changes the momentum sphere of a free body, and the well with it: ask for its barrier"
 
@@ -155,6 +148,36 @@ class Well(Shown):
             return about_the_nodes(self.line, direction)
         return kick_below(self.rotation, self.heights[self.found.passes[0]], direction)
 
+    def within(self, degrees: Any, level: bool = False) -> float:
+        """Return the impulse below which the axis that was vertical stays within an angle, rounded down.
+
+        It is there without a pass, too, and may be greater than a kick that stays in the well: it bounds the
+        angle, and does not say that the motion comes back.
+
+        Parameters
+        ----------
+        degrees : number or str
+            between 0 and 180
+        level : bool
+            of kicks that keep C1; of a body of revolution there are no others
+
+        Returns
+        -------
+        float
+            [M L²/T]
+
+        Raises
+        ------
+        ScopeError
+            no such bound is known, or none is proved
+        """
+        if self.line is not None:
+            kick = self.line.kick_within(degrees)
+            return math.inf if kick == oo else below(ball(kick, BITS))
+        if self.rotation.scene.kind is not Kind.FIELD:
+            raise ScopeError("an angle is bounded of a body in a field; ask for the kick, or for the tilt")
+        return kick_within(self.rotation, degrees, level)
+
     def tilt(self) -> float:
         """Return the angle below which a satellite may be turned, at rest in its orbit, and stays.
 
@@ -198,39 +221,3 @@ class Well(Shown):
     @property
     def _turned(self) -> bool:
         return self.rotation.scene.kind is Kind.FREE and self.rotation.form.index != 0
-
-
-def well_of(rotation: RelativeEquilibrium) -> "Well":
-    """Return the well of a relative equilibrium, with a reason if it has none."""
-    form = rotation.form
-    if rotation.decision.verdict is not Verdict.STABLE:
-        return Well(rotation, reason=UNSTABLE if rotation.decision.verdict is Verdict.UNSTABLE else HELD)
-    if rotation.scene.kind is Kind.REVOLUTION:
-        tilt = tilt_well(rotation)
-        return Well(rotation, reason=tilt.reason, line=tilt)
-    if form.index is None:
-        return Well(rotation, reason=DEGENERATE)
-    turned = rotation.scene.kind is Kind.FREE and form.index == len(form.signs)
-    if form.index != 0 and not turned:
-        return Well(rotation, reason=HELD)
-    try:
-        landscape = landscape_of(rotation)
-    except ScopeError as error:
-        return Well(rotation, reason=str(error))
-    points = landscape.points
-    down = [None if e.locus or 0 in e.form.signs else e.form.index for e in points]
-    indices = [len(e.form.signs) - n if turned and n is not None else n for n, e in zip(down, points)]
-    paths = Paths(landscape, indices)
-    with own_precision(BITS):
-        here = landscape.number(rotation)
-        levels: list[list[int]] = []
-        for n in sorted(range(len(points)), key=lambda n: float(paths.values[n].mid())):
-            if levels and paths.values[levels[-1][-1]].overlaps(paths.values[n]):
-                levels[-1].append(n)
-            else:
-                levels.append([n])
-        heights = [value - paths.values[here] for value in paths.values]
-    found = outcome(here, levels, indices, paths.ends)
-    stopped = found.stopped
-    reason = "" if stopped is None else NOT_ISOLATED if indices[stopped] is None else NO_PATH
-    return Well(rotation, points, heights, found, reason)

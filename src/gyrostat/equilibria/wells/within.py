@@ -4,11 +4,10 @@ from collections.abc import Callable, Sequence
 from typing import Any
 
 from flint import arb
-from sympy import Expr, Matrix, Poly, PolynomialError, pi
+from sympy import Expr, Poly, PolynomialError, pi
 
 from ...algebra.enclosures.balls import ball
 from ...algebra.enclosures.precision import own_precision
-from ...algebra.solving.real_fields import FieldNumbers
 from ...algebra.text.numbers import exact_expression
 from ...algebra.text.quantities import has_unit, quantity, text_of
 from ...algebra.text.units import ANGLE
@@ -17,8 +16,8 @@ from ...mechanics.scenes.kind import Kind
 from ...mechanics.scenes.potential import DIRECTIONS
 from ..relative_equilibrium import RelativeEquilibrium
 from .circles import Circle, least
+from .in_balls import BITS, dot, form, in_balls, rows_in_balls
 from .kicks import any_kick_below, kick_below
-from .landscape import BITS
 
 ANGLES = 24                                            # of circles that are tried
 
@@ -70,7 +69,7 @@ def rise_within(rotation: RelativeEquilibrium, degrees: Expr | float | str, leve
     whole = _angle(degrees)
     with own_precision(BITS):
         V = _potential(rotation, level)
-        k0 = _balls(rotation.directions[0])
+        k0 = in_balls(rotation.directions[0])
         full = ball(whole, BITS)
         circles = [Circle.round(k0, full * n / ANGLES) for n in range(1, ANGLES + 1)]
         highest = max((_least_on(V, circle) for circle in circles), key=lambda low: float(low.lower().mid()))
@@ -135,29 +134,13 @@ def _potential(rotation: RelativeEquilibrium, level: bool) -> Callable[[Sequence
     scene = rotation.scene
     if scene.kind is not Kind.FIELD or scene.potential is None:
         raise ScopeError(f"the angle of k is asked of a body in a field, not of {scene.kind.value}")
-    U, tensor = _polynomial(scene.potential.expression), _in_balls(scene.body.tensor)
-    l, k0, M = map(_balls, (scene.body.gyrostatic_momentum, rotation.directions[0], rotation.momentum))
+    U, tensor = _polynomial(scene.potential.expression), rows_in_balls(scene.body.tensor)
+    l, k0, M = map(in_balls, (scene.body.gyrostatic_momentum, rotation.directions[0], rotation.momentum))
     if level:
-        C1 = _dot(M, k0)
-        return lambda k: U(k) + (C1 - _dot(l, k)) * (C1 - _dot(l, k)) / (2 * _form(tensor, k))
+        C1 = dot(M, k0)
+        return lambda k: U(k) + (C1 - dot(l, k)) * (C1 - dot(l, k)) / (2 * form(tensor, k))
     omega = ball(rotation.rates["omega"], BITS)
-    return lambda k: U(k) - omega**2 / 2 * _form(tensor, k) - omega * _dot(l, k)
-
-
-def _balls(numbers: Sequence[Expr]) -> list[arb]:
-    return numbers.balls(BITS) if isinstance(numbers, FieldNumbers) else [ball(x, BITS) for x in numbers]
-
-
-def _in_balls(matrix: Matrix) -> list[list[arb]]:
-    return [_balls(row) for row in matrix.tolist()]
-
-
-def _dot(a: Sequence[Any], b: Sequence[Any]) -> Any:
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-
-
-def _form(matrix: Sequence[Sequence[Any]], k: Sequence[Any]) -> Any:
-    return _dot([_dot(row, k) for row in matrix], k)
+    return lambda k: U(k) - omega**2 / 2 * form(tensor, k) - omega * dot(l, k)
 
 
 def _polynomial(expression: Expr) -> Callable[[Sequence[Any]], Any]:
