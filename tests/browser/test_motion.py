@@ -93,7 +93,9 @@ def test_a_motion_that_there_is_not_is_said(page):
     assert "a motion needs numbers" in page.inner_text("#no-motion") and page.is_hidden("#motion")
 
 
-PIXELS = "() => document.getElementById('motion').toDataURL()"
+# when what has changed is painted, with the next frame
+PIXELS = """async () => { await new Promise(requestAnimationFrame);
+    return document.getElementById("motion").toDataURL(); }"""
 COUNTED = """colour => { const canvas = document.getElementById("motion");
     const data = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height).data;
     return data.filter((_, n) => n % 4 === 0 && colour.every((part, i) => data[n + i] === part)).length; }"""
