@@ -17,7 +17,7 @@ KNOWN = Registry().with_resources((f"{name}.json", Resource.from_contents(schema
 MAPS = {"exact", "margins", "relations", "values", "definitions", "windows", "certificate"}
 OPTIONAL = {"definitions", "windows", "drift", "k1", "k2", "k3", "omega", "sigma",
             "pi1", "pi2", "pi3", "n1", "n2", "n3", "r1", "r2", "r3", "energy_sink", "stiffness", "gyroscopic",
-            "D6", "exact", "wells"}
+            "D6", "exact", "wells", "well"}
 ASKED = [(schema, question) for schema, questions in QUESTIONS.items() for question in questions]
 # a document of each kind
 CHANGED = ["report --potential none", "conditions --potential none", f"conditions {HEAVY} --windows",

@@ -1,6 +1,6 @@
 """The record of a motion in which nothing changes but the turn about the vertical, and its decisions."""
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from sympy import Expr
 
@@ -20,7 +20,6 @@ from ..stability.report.report import Report
 if TYPE_CHECKING:
     from .attitude_in_orbit import Attitude
     from .doubles import Doubles
-    from .wells.well import Well
 
 
 @dataclass(frozen=True, repr=False)
@@ -102,10 +101,9 @@ class RelativeEquilibrium(Shown, Stored):
         return loaded("equilibria.doubles:Doubles")(self.form)
 
     @cached_property
-    def well(self) -> "Well":
+    def well(self) -> Any:
         """The well of the energy round it: its barrier and safe kicks, or why there is none."""
-        found: Well = loaded("equilibria.wells.find_well:well_of")(self)
-        return found
+        return loaded("equilibria.wells.find_well:well_of")(self)
 
     @property
     def rates(self) -> dict[str, Expr]:
