@@ -27,7 +27,7 @@ def wells_of(reports: Sequence[Report], numbers: Mapping[str, Expr]) -> Wells:
                                  else f"its well has no closed form: {KNOWN}")
     reasons = [f"{label}: {x}" for label, x in found.items() if isinstance(x, str)]
     if len(reasons) == len(found):
-        raise ScopeError("; ".join(reasons) + ". Leave --well out, or give other numbers")
+        raise ScopeError("; ".join(reasons) + ". Ask without the well, or give other numbers")
     return found
 
 
