@@ -45,7 +45,7 @@ def test_where_there_is_no_closed_form_it_says_so(capsys):
     assert "It is no strict minimum at these numbers, so that it is in no well." in out
     status, out, err = asked(capsys, "--potential", "exp(k3)", "--equilibrium", "E1")
     assert status != 0 and out == "" and "E1: its well has no closed form: closed forms are known of" in err
-    assert "Leave --well out" in err
+    assert "Ask without the well" in err
 
 
 @pytest.mark.slow
