@@ -28,3 +28,18 @@ def test_pickled_as_expressions():
     field = Conjugates(fmpq_poly([-2, 0, 1]), [fmpq_poly([0, 1])], fmpq_poly([1]))
     numbers = FieldNumbers(field, 1, [(0, S.One)])
     assert pickle.loads(pickle.dumps(numbers)) == tuple(numbers)
+
+
+def test_equal_where_they_are_defined_alike_or_their_expressions_are_equal():
+    """Two fields of one polynomial are one; another root, another place or another factor is not equal."""
+    one, two = (Conjugates(fmpq_poly([-2, 0, 1]), [fmpq_poly([0, 1]), fmpq_poly([3])], fmpq_poly([1]))
+                for _ in range(2))
+    numbers = FieldNumbers(one, 1, [(0, S.One)])
+    assert numbers == FieldNumbers(two, 1, [(0, S.One)]) and numbers == (sqrt(2),)
+    assert hash(numbers) == hash(FieldNumbers(two, 1, [(0, S.One)]))
+    for other in (FieldNumbers(two, 0, [(0, S.One)]), FieldNumbers(two, 1, [(1, S.One)]),
+                  FieldNumbers(two, 1, [(0, S(2))]), (), "x"):
+        assert numbers != other
+    # a quotient that is written otherwise
+    doubled = Conjugates(one.polynomial, [fmpq_poly([0, 2])], fmpq_poly([2]))
+    assert numbers == FieldNumbers(doubled, 1, [(0, S.One)])

@@ -5,6 +5,7 @@ import numpy as np
 import pytest
 
 import gyrostat as gs
+from gyrostat.equilibria.wells import find_well
 from gyrostat.equilibria.wells import paths as module
 from gyrostat.equilibria.wells.landscape import landscape_of
 from gyrostat.equilibria.wells.merge_tree import Outcome, outcome
@@ -105,3 +106,24 @@ def test_what_is_degenerate_stops_the_tree_above_the_minimum_alone():
     levels, indices, ends = [[0], [2], [1], [3]], [0, 0, None, 1], {3: [0, 1]}
     assert outcome(1, levels, indices, ends.get) == Outcome((3,), "well", 3, (0,))
     assert outcome(0, levels, indices, ends.get) == Outcome(stopped=2)
+
+
+def test_points_of_two_kinds_at_one_value_are_told_to_be_tied():
+    """A pass to another well and one that closes round a summit: which comes first must be known."""
+    indices, ends = [0, 0, 1, 1], {2: [0, 1], 3: [0, 0]}
+    assert outcome(0, [[1], [0], [2, 3]], indices, ends.get).tied
+    assert not outcome(0, [[1], [0], [2], [3]], indices, ends.get).tied
+    assert outcome(0, [[1], [0], [3], [2]], indices, ends.get) == Outcome((3,), "round", 2, (1,))
+    alike = [0, 0, 1, 1], {2: [0, 1], 3: [1, 0]}
+    assert not outcome(0, [[1], [0], [2, 3]], alike[0], alike[1].get).tied
+
+
+def test_a_tie_is_broken_exactly():
+    """Points of one class of balls, told apart by their energies; of a maximum the other way round."""
+    scene = gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 1)), gs.general_potential("k1 + k2 + k3"))
+    known = next(e for e in gs.relative_equilibria(scene, {"C1": "5/2"}) if e.form.index == 0).well
+    places = sorted(range(len(known.points)), key=lambda n: float(known.heights[n].mid()))
+    level = find_well._by_energy(known.points, places[::-1], False)
+    assert level == [[n] for n in places]
+    assert find_well._by_energy(known.points, places, True) == [[n] for n in places[::-1]]
+    assert find_well._by_energy([STABLE, STABLE], [0, 1], False) == [[0, 1]]

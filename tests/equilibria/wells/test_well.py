@@ -72,6 +72,13 @@ def test_kicks():
         craft.well.kick((0, 0, 0))
 
 
+def test_the_kick_of_a_sphere():
+    """All directions are equal: the two stiffnesses across k coincide."""
+    scene = gs.assemble(gs.Gyrostat((2, 2, 2), (0, 0, 1)), gs.general_potential("k1 + 2*k3"))
+    well = stable(scene, {"C1": 1})[0].well
+    assert well.kick(level=True) == pytest.approx(math.sqrt(4 * well.barrier_double), rel=1e-14)
+
+
 @pytest.mark.parametrize("rotor", [(0, 0, 0), (0, 5, 0), (1, 2, 3)])
 def test_tilts_at_rest(rotor):
     """Along every turn below the angle V is below the pass; without a rotor the angle is the theory's."""

@@ -123,7 +123,9 @@ class FieldNumbers(Sequence[Expr]):
         return len(self.places)
 
     def __eq__(self, other: object) -> bool:
-        return self is other or isinstance(other, Sequence) and tuple(self) == tuple(other)
+        if self is other or isinstance(other, FieldNumbers) and self._defined() == other._defined():
+            return True                                    # none has to be written out
+        return isinstance(other, Sequence) and tuple(self) == tuple(other)
 
     def __hash__(self) -> int:
         return hash(tuple(self))
@@ -139,6 +141,11 @@ class FieldNumbers(Sequence[Expr]):
             return FieldNumbers(self.conjugates, self.root, self.places[n])
         place, factor = self.places[n]
         return factor * self.conjugates.expression(self.root, place)
+
+    def _defined(self) -> tuple[Any, ...]:
+        field = self.conjugates
+        where = (field.polynomial, field.tops, field.under) if isinstance(field, Conjugates) else field
+        return where, self.root, tuple(self.places)
 
     def is_fraction(self, n: int) -> bool:
         """Whether a number is a fraction; a factor that is none is taken as if it made one."""

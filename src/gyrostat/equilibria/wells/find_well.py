@@ -1,8 +1,14 @@
 """Finds the well of a relative equilibrium, in whatever kind of scene, or says why there is none."""
+from collections.abc import Sequence
+from functools import cmp_to_key
+from itertools import pairwise
+
 from ...algebra.enclosures.precision import own_precision
+from ...algebra.reals.exact import evaluate, proved_sign
 from ...errors import ScopeError
 from ...mechanics.scenes.kind import Kind
 from ...stability.decision import Verdict
+from ..finders.revolution_form import RevolutionForm
 from ..relative_equilibrium import RelativeEquilibrium
 from .in_balls import BITS
 from .landscape import landscape_of
@@ -12,7 +18,9 @@ from .tilts import tilt_well
 from .well import Well
 
 UNSTABLE = "it is not stable: no kick is small enough"
-DEGENERATE = "the second variation is degenerate here: that it is stable is known, and no barrier"
+UNDECIDED = "it is undecided whether this equilibrium is stable"
+DEGENERATE = ("no barrier is found of an equilibrium that is not isolated, or whose second variation is "
+              "degenerate")
 HELD = ("the energy has no minimum here: gyroscopic forces hold it, with no bound of the energy, and damping "
         "takes it away")
 NO_PATH = "the way down from an equilibrium is not proved: no pass lies below it, what lies above is open"
@@ -22,12 +30,12 @@ NOT_ISOLATED = "a degenerate equilibrium lies above: no pass lies below it, what
 def well_of(rotation: RelativeEquilibrium) -> Well:
     """Return the well of a relative equilibrium, with a reason if it has none."""
     form = rotation.form
-    if rotation.decision.verdict is not Verdict.STABLE:
-        return Well(rotation, reason=UNSTABLE if rotation.decision.verdict is Verdict.UNSTABLE else HELD)
-    if rotation.scene.kind is Kind.REVOLUTION:
+    if (verdict := rotation.decision.verdict) is not Verdict.STABLE:
+        return Well(rotation, reason=UNSTABLE if verdict is Verdict.UNSTABLE else UNDECIDED)
+    if isinstance(form, RevolutionForm):
         tilt = tilt_well(rotation)
         return Well(rotation, reason=tilt.reason, line=tilt)
-    if form.index is None:
+    if form.index is None or form.locus:
         return Well(rotation, reason=DEGENERATE)
     turned = rotation.scene.kind is Kind.FREE and form.index == len(form.signs)
     if form.index != 0 and not turned:
@@ -50,6 +58,23 @@ def well_of(rotation: RelativeEquilibrium) -> Well:
                 levels.append([n])
         heights = [value - paths.values[here] for value in paths.values]
     found = outcome(here, levels, indices, paths.ends)
+    if found.tied:
+        levels = [part for level in levels for part in (
+            _by_energy(points, level, turned) if found.passes[0] in level else [level])]
+        found = outcome(here, levels, indices, paths.ends)
     stopped = found.stopped
     reason = "" if stopped is None else NOT_ISOLATED if indices[stopped] is None else NO_PATH
     return Well(rotation, points, heights, found, reason)
+
+
+def _by_energy(points: Sequence[RelativeEquilibrium], level: list[int], turned: bool) -> list[list[int]]:
+    """Classes of equal energy, exactly, of points that balls do not tell apart; the lowest first."""
+    def compared(a: int, b: int) -> int:
+        sign = proved_sign(evaluate(points[a].energy - points[b].energy, {}))
+        return -sign if turned else sign
+
+    ordered = sorted(level, key=cmp_to_key(compared))
+    parts = [ordered[:1]]
+    for before, n in pairwise(ordered):
+        parts.append([n]) if compared(before, n) else parts[-1].append(n)
+    return parts

@@ -5,15 +5,14 @@ from typing import Any
 from flint import arb
 from sympy import Expr, Matrix
 
-from ...algebra.enclosures.balls import ball
-from ...algebra.solving.real_fields import FieldNumbers
+from ...algebra.solving.real_fields import balls
 
 BITS = 128                                             # of all balls of wells
 
 
 def in_balls(numbers: Sequence[Expr]) -> list[arb]:
     """Enclose numbers, without their expressions being written out where that can be avoided."""
-    return numbers.balls(BITS) if isinstance(numbers, FieldNumbers) else [ball(x, BITS) for x in numbers]
+    return balls(numbers, BITS)
 
 
 def rows_in_balls(matrix: Matrix) -> list[list[arb]]:

@@ -12,6 +12,7 @@ from ...algebra.reals.exact import evaluate, sign_of_constant
 from ...algebra.text.numbers import exact_expression
 from ...errors import ScopeError, ValuesError
 from ...mechanics.scenes.kind import Kind
+from ...mechanics.scenes.principal_axes import principal_axes
 from ..relative_equilibrium import RelativeEquilibrium
 from .in_balls import BITS, form, in_balls, rows_in_balls
 from .tilts import TiltWell
@@ -36,7 +37,7 @@ def kick_below(rotation: RelativeEquilibrium, barrier: arb, direction: Sequence[
             k = in_balls(rotation.directions[0])
             trace = sum((inverse[i][i] for i in range(3)), arb(0)) - form(inverse, k)
             product = form(rows_in_balls(body.tensor), k) / ball(body.tensor.det(), BITS)
-            stiffness = (trace + abs(trace**2 - 4 * product).sqrt()) / 2
+            stiffness = (trace + abs(trace**2 - 4 * product).upper().sqrt()) / 2
         else:
             return any_kick_below(rotation, barrier)
         return below((2 * barrier / stiffness).sqrt())
@@ -45,8 +46,7 @@ def kick_below(rotation: RelativeEquilibrium, barrier: arb, direction: Sequence[
 def any_kick_below(rotation: RelativeEquilibrium, rise: arb) -> float:
     """Return the impulse √(2 B/(u·I⁻¹u)) along the axis of least moment, on which it is least."""
     with own_precision(BITS):
-        least = min((ball(x, BITS) for x in rotation.scene.body.moments), key=lambda x: float(x.mid()))
-        return below((2 * rise * least).sqrt())
+        return below((2 * rise * principal_moments(rotation)[0]).sqrt())
 
 
 def tilt_below(rotation: RelativeEquilibrium, barrier: arb) -> float:
@@ -59,8 +59,8 @@ def tilt_below(rotation: RelativeEquilibrium, barrier: arb) -> float:
     """
     body, rate = rotation.scene.body, ball(rotation.rates["omega0"], BITS)
     with own_precision(BITS):
-        moments = sorted((ball(x, BITS) for x in body.moments), key=lambda x: float(x.mid()))
-        spread = moments[2] - moments[0]
+        least_moment, _, greatest = principal_moments(rotation)
+        spread = greatest - least_moment
         rotor = [ball(x, BITS) for x in body.gyrostatic_momentum]
         length = sum((x * x for x in rotor), arb(0)).sqrt()
         angle = (2 * barrier / ((2 + arb(5).sqrt()) * spread * rate**2 + abs(rate) * length)).sqrt()
@@ -69,6 +69,12 @@ def tilt_below(rotation: RelativeEquilibrium, barrier: arb) -> float:
             exact = share.sqrt().asin()
             angle = exact if exact > angle else angle
         return min(below(angle * 180 / arb.pi()), 180.0)
+
+
+def principal_moments(rotation: RelativeEquilibrium) -> list[arb]:
+    """Return the principal moments in any axes, the least first."""
+    body, _ = principal_axes(rotation.scene.body)
+    return sorted(in_balls(body.moments), key=lambda x: float(x.mid()))
 
 
 def about_the_nodes(well: TiltWell, direction: Sequence[Any] | None) -> float:

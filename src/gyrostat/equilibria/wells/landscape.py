@@ -18,9 +18,11 @@ from ...mechanics.scenes.potential import DIRECTIONS
 from ...notation import components
 from ..relative_equilibrium import RelativeEquilibrium
 from ..search import relative_equilibria
-from .in_balls import BITS, in_balls
+from .in_balls import BITS, dot, form, in_balls, rows_in_balls
 
-DIGITS = 10**9                                         # largest denominator of a level
+LARGEST = 10**15                                       # denominator of a level
+NO_FRACTION = ("{} is no fraction of a small denominator here, and all equilibria of a level are found at "
+               "such fractions: find the equilibrium by its level")
 MOMENTUM, NORMAL, UPWARD = (tuple(components(name)) for name in ("pi", "n", "r"))
 
 
@@ -129,7 +131,9 @@ def landscape_of(rotation: RelativeEquilibrium) -> Landscape:
     body, l = scene.body, Matrix(scene.body.gyrostatic_momentum)
     if scene.kind is Kind.FREE:
         M = Matrix(rotation.momentum)
-        length = sqrt(_level(M.dot(M), "the square of M"))
+        length = sqrt(_fraction(ball(M.dot(M), BITS)))
+        if sign_of_constant(Add(M.dot(M), -length**2)) != 0:
+            raise ScopeError(NO_FRACTION.format("the square of M"))
         sign = -1 if rotation.form.index else 1
         V = sign * (length * Matrix(DIRECTIONS) - l).dot(body.inverse * (length * Matrix(DIRECTIONS) - l)) / 2
         return Landscape(relative_equilibria(scene, {"M": length}), [_polynomial(V, DIRECTIONS, 2)])
@@ -137,9 +141,9 @@ def landscape_of(rotation: RelativeEquilibrium) -> Landscape:
         raise ScopeError(f"no wells are found of {scene.kind.value}")
     k = Matrix(DIRECTIONS)
     U = _polynomial(scene.potential.expression, DIRECTIONS, 2)
-    level = _level(Matrix(rotation.momentum).dot(Matrix(rotation.directions[0])), "C1")
+    level, points = _on_its_level(rotation)
     twist = _polynomial(level - l.dot(k), DIRECTIONS, 1), _polynomial(k.dot(body.tensor * k), DIRECTIONS, 2)
-    return Landscape(relative_equilibria(scene, {"C1": level}), [U, *twist])
+    return Landscape(points, [U, *twist])
 
 
 def _polynomial(expression: Expr, variables: Sequence[Symbol], degree: int) -> Poly:
@@ -153,14 +157,26 @@ def _polynomial(expression: Expr, variables: Sequence[Symbol], degree: int) -> P
     return found
 
 
-def _level(number: Expr, name: str) -> Rational:
-    """The fraction that an exact number is."""
-    near = Fraction(str(ball(number, BITS).mid().str(30, radius=False))).limit_denominator(DIGITS)
-    found = Rational(near.numerator, near.denominator)
-    if sign_of_constant(Add(number, -found)) != 0:
-        raise ScopeError(f"{name} is no fraction here, and all equilibria of a level are found at fractions: "
-                         "find the equilibrium by its level")
-    return found
+def _on_its_level(rotation: RelativeEquilibrium) -> tuple[Rational, list[RelativeEquilibrium]]:
+    """The fraction that C1 = M·k is, and all equilibria of that level; the rotation is one of them."""
+    scene, k = rotation.scene, in_balls(rotation.directions[0])
+    with own_precision(BITS):
+        rotor = in_balls(scene.body.gyrostatic_momentum)
+        level = _fraction(ball(rotation.rates["omega"], BITS) * form(rows_in_balls(scene.body.tensor), k)
+                          + dot(rotor, k))
+    points = relative_equilibria(scene, {"C1": level})
+    if any(e.rates["omega"] == rotation.rates["omega"] and e.directions[0] == rotation.directions[0]
+           for e in points):
+        return level, points
+    if sign_of_constant(Add(Matrix(rotation.momentum).dot(Matrix(rotation.directions[0])), -level)) != 0:
+        raise ScopeError(NO_FRACTION.format("C1"))
+    return level, points
+
+
+def _fraction(number: arb) -> Rational:
+    """The fraction of a small denominator that is next to a number."""
+    near = Fraction(number.mid().str(36, radius=False)).limit_denominator(LARGEST)
+    return Rational(near.numerator, near.denominator)
 
 
 def _rows(q: Sequence[Any], square: Any) -> list[Any]:

@@ -22,6 +22,8 @@ class Outcome:
         the minima that are reached over it
     stopped : int or None
         where this ends, at a point of which the way down is not known: nothing below it is touched but passes
+    tied : bool
+        whether the passes are of different kinds, so that it matters whether their values are equal
     """
 
     passes: tuple[int, ...] = ()
@@ -29,6 +31,7 @@ class Outcome:
     escape: int | None = None
     beyond: tuple[int, ...] = ()
     stopped: int | None = None
+    tied: bool = False
 
 
 def outcome(minimum: int, levels: Sequence[Sequence[int]], indices: Sequence[int | None],
@@ -56,23 +59,25 @@ def outcome(minimum: int, levels: Sequence[Sequence[int]], indices: Sequence[int
         return n
 
     passes: tuple[int, ...] = ()
-    kind, above = "", False
+    kind, above, tied = "", False, False
     for level in levels:
         above = above or minimum in level
         ways = {n: ends(n) if indices[n] else None for n in level if indices[n] != 0}
         lost = next((n for n, found in ways.items() if found is None), None)
         if above and lost is not None:
-            return Outcome(passes, kind, stopped=lost)
+            return Outcome(passes, kind, stopped=lost, tied=tied)
         below = {n: {joined(m) for m in found} for n, found in ways.items() if found is not None}
         touched = tuple(n for n, classes in below.items() if joined(minimum) in classes)
+        ways_on = {(indices[n] == 1, len(below[n])) for n in touched}
         for classes in below.values():
             first, *others = {joined(m) for m in classes}
             for other in others:
                 group[other] = first
         beyond = tuple(m for m in group if m != minimum and joined(m) == joined(minimum))
         if touched and not passes:
-            passes = touched
+            passes, tied = touched, len(ways_on) > 1
             kind = WELL if beyond else ROUND if any(indices[n] == 1 for n in touched) else SUMMIT
         if beyond:
-            return Outcome(passes, kind, next(n for n in touched if indices[n] == 1), beyond)
-    return Outcome(passes, kind)
+            over = next(n for n in touched if indices[n] == 1)
+            return Outcome(passes, kind, over, beyond, tied=tied)
+    return Outcome(passes, kind, tied=tied)

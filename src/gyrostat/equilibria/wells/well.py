@@ -15,6 +15,7 @@ from ...errors import ScopeError
 from ...mechanics.families.circular_orbit import by_gradient_alone
 from ...mechanics.scenes.kind import Kind
 from ...mechanics.scenes.potential import DIRECTIONS
+from ...mechanics.scenes.principal_axes import principal_axes
 from ..relative_equilibrium import RelativeEquilibrium
 from .in_balls import BITS
 from .kicks import about_the_nodes, below, kick_below, tilt_below
@@ -210,7 +211,8 @@ class Well(Shown):
         if scene.kind is Kind.FREE:
             return self.rotation.form.index == 0
         if scene.kind is Kind.ORBIT:
-            return True if len(set(scene.body.moments)) == 3 and by_gradient_alone(scene) else None
+            distinct = len({*principal_axes(scene.body)[0].moments}) == 3
+            return True if distinct and by_gradient_alone(scene) else None
         assert scene.potential is not None
         return True if Poly(scene.potential.expression, *DIRECTIONS).total_degree() == 1 else None
 

@@ -29,8 +29,7 @@ def well_blocks(well: Well, units: bool) -> list[Block]:
     if escape is not None and not math.isinf(escape) and escape > barrier:
         said.append(f"Another stable equilibrium is reached from {escape:.6g}{joule} on.")
     if (kick := _kick(well)) is not None:
-        which = "A kick" if well.rotation.scene.kind is Kind.ORBIT else "A kick that keeps its level"
-        said.append(f"{which} below {_short(kick)}{impulse} does not take it out, in whatever direction.")
+        said.append(f"A kick of less than {_short(kick)}{impulse}, {_which(well)}, does not take it out.")
     if (angle := _tilt(well)) is not None:
         said.append(f"Turned by less than {_short(angle)}° about whatever axis, and let go at rest in the "
                     "orbit, it stays too.")
@@ -47,6 +46,13 @@ def well_data(well: Well) -> dict[str, Any]:
             "passes": [e.doubles.place for e in well.passes],
             "beyond": [e.doubles.place for e in well.beyond],
             "kick": _finite(kick), "tilt": _tilt(well), "damped": well.damped, "reason": well.reason}
+
+
+def _which(well: Well) -> str:
+    """The kicks that are bounded."""
+    if well.line is not None:
+        return "across its axis, about the line of nodes"
+    return "in whatever direction" + (" across k" if well.rotation.scene.kind is Kind.FIELD else "")
 
 
 def _kick(well: Well) -> float | None:
