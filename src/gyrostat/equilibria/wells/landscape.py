@@ -1,4 +1,5 @@
 """The function V whose wells hold the motions of a scene, on a sphere or on the attitudes."""
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
@@ -146,7 +147,24 @@ def landscape_of(rotation: RelativeEquilibrium) -> Landscape:
     return Landscape(points, [U, *twist])
 
 
-def _polynomial(expression: Expr, variables: Sequence[Symbol], degree: int) -> Poly:
+def turning_landscape(rotation: RelativeEquilibrium) -> Landscape:
+    """Return V = U − ω² k·Ik/2 − ω l·k on the sphere of k, at the rate ω of a rotation in a field.
+
+    Its critical points are the rotations of that rate, whatever C1 is.
+
+    Raises
+    ------
+    ScopeError
+        there is no list of all of them
+    """
+    scene, omega, k = rotation.scene, rotation.rates["omega"], Matrix(DIRECTIONS)
+    body, U = scene.body, scene.potential
+    assert U is not None
+    V = U.expression - omega**2 * k.dot(body.tensor * k) / 2 - omega * Matrix(body.gyrostatic_momentum).dot(k)
+    return Landscape(relative_equilibria(scene, {"omega": omega}), [_polynomial(V, DIRECTIONS, math.inf)])
+
+
+def _polynomial(expression: Expr, variables: Sequence[Symbol], degree: float) -> Poly:
     try:
         found = Poly(expression, *variables)
     except PolynomialError:

@@ -2,13 +2,14 @@
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from flint import arb
 from sympy import Expr, Poly, oo
 
 from ..._cached import cached_property
 from ..._display import Shown
+from ..._lazy import loaded
 from ...algebra.enclosures.balls import ball
 from ...algebra.reals.exact import evaluate
 from ...errors import ScopeError
@@ -22,6 +23,9 @@ from .kicks import about_the_nodes, below, kick_below, tilt_below
 from .merge_tree import Outcome
 from .tilts import TiltWell
 from .within import kick_within
+
+if TYPE_CHECKING:
+    from .frame import Frame
 
 LEAVES = "a kick along k changes C1, and the well with it: ask for those across k, level=True"
 SPHERE = "a kick changes the momentum sphere of a free body, and the well with it: ask for its barrier"
@@ -112,8 +116,18 @@ class Well(Shown):
         """The stable equilibria that are reached at the height of the escape."""
         return tuple(self.points[n] for n in self.found.beyond)
 
+    @cached_property
+    def frame(self) -> "Frame":
+        """The well in the frame that turns with a rotation of a body in a field, which bounds every kick."""
+        found: Frame = loaded("equilibria.wells.frame:frame_of")(self.rotation)
+        return found
+
     def kick(self, direction: Sequence[Any] | None = None, level: bool = False) -> float:
         """Return the impulse of a torque below which the motion stays in the well, rounded down.
+
+        In a field a kick along k changes C1, and the well with it. What is returned without level is then
+        that of the frame: below it k stays over the well of the frame for ever. That is not to say that the
+        motion comes back: other places to rest may lie inside, on other levels of C1.
 
         Parameters
         ----------
@@ -138,16 +152,18 @@ class Well(Shown):
         ----------
         A kick Δ adds Δ·I⁻¹Δ/2 to the energy at rest.
         """
+        kind = self.rotation.scene.kind
+        if kind is Kind.FIELD and not level and self.line is None:
+            return self.frame.kick(direction)
         if self.barrier_double is None:
             raise ScopeError(f"no kick is known to be small enough: {self.reason}")
-        kind = self.rotation.scene.kind
         if kind is Kind.FREE:
             raise ScopeError(SPHERE)
         if kind is not Kind.ORBIT and not level:
             raise ScopeError(LEAVES)
         if self.line is not None:
             return about_the_nodes(self.line, direction)
-        return kick_below(self.rotation, self.heights[self.found.passes[0]], direction)
+        return kick_below(self.rotation, self.heights[self.found.passes[0]], direction, kind is Kind.FIELD)
 
     def within(self, degrees: Any, level: bool = False) -> float:
         """Return the impulse below which the axis that was vertical stays within an angle, rounded down.
@@ -216,10 +232,10 @@ class Well(Shown):
         assert scene.potential is not None
         return True if Poly(scene.potential.expression, *DIRECTIONS).total_degree() == 1 else None
 
-    def _above(self, n: int) -> Expr:
-        rise = evaluate(self.points[n].energy - self.rotation.energy, {})
-        return -rise if self._turned else rise
+    def value(self, e: RelativeEquilibrium) -> Expr:
+        """Return V at an equilibrium: the energy, round a maximum its negative [M L²/T²]."""
+        turned = self.rotation.scene.kind is Kind.FREE and self.rotation.form.index != 0
+        return -e.energy if turned else e.energy
 
-    @property
-    def _turned(self) -> bool:
-        return self.rotation.scene.kind is Kind.FREE and self.rotation.form.index != 0
+    def _above(self, n: int) -> Expr:
+        return evaluate(self.value(self.points[n]) - self.value(self.rotation), {})

@@ -113,7 +113,7 @@ def kick_within(rotation: RelativeEquilibrium, degrees: Expr | float | str, leve
     if not rise > 0:
         reason = f"no kick is known to keep it within {degrees}: V is no lower there than on circles round it"
         raise ScopeError(reason + ("" if level else "; ask for kicks that keep C1, level=True"))
-    return kick_below(rotation, rise, None) if level else any_kick_below(rotation, rise)
+    return kick_below(rotation, rise, None, True) if level else any_kick_below(rotation, rise)
 
 
 def _angle(degrees: Any) -> Expr:

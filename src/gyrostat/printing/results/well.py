@@ -20,7 +20,7 @@ def well_blocks(well: Well, units: bool) -> list[Block]:
     barrier, joule, impulse = well.barrier_double, " J" if units else "", " N m s" if units else ""
     if barrier is None:
         least = "" if well.bound is None else f", and its barrier is at least {_short(well.bound)}{joule}"
-        return [sentence(f"Well: {well.reason}{least}.")]
+        return [sentence(line) for line in [f"Well: {well.reason}{least}.", *_in_its_frame(well, impulse)]]
     if math.isinf(barrier):
         return [sentence(f"Well: {well.reason}.")]
     pass_ = f" at {_where(well.passes[0])}" if well.passes else ""
@@ -35,6 +35,7 @@ def well_blocks(well: Well, units: bool) -> list[Block]:
                     "orbit, it stays too.")
     if well.damped:
         said.append("Under internal damping every motion inside comes back.")
+    said += _in_its_frame(well, impulse)
     return [sentence(line) for line in said]
 
 
@@ -45,7 +46,8 @@ def well_data(well: Well) -> dict[str, Any]:
             "held_at_every_energy": barrier == math.inf, "at_least": well.bound,
             "passes": [e.doubles.place for e in well.passes],
             "beyond": [e.doubles.place for e in well.beyond],
-            "kick": _finite(kick), "tilt": _tilt(well), "damped": well.damped, "reason": well.reason}
+            "kick": _finite(kick), "any_kick": _any_kick(well), "tilt": _tilt(well),
+            "damped": well.damped, "reason": well.reason}
 
 
 def _which(well: Well) -> str:
@@ -59,6 +61,18 @@ def _kick(well: Well) -> float | None:
     kind = well.rotation.scene.kind
     known = well.barrier_double is not None and kind is not Kind.FREE
     return well.kick(level=kind is not Kind.ORBIT) if known else None
+
+
+def _any_kick(well: Well) -> float | None:
+    return well.kick() if well.frame.found.passes else None
+
+
+def _in_its_frame(well: Well, unit: str) -> list[str]:
+    """What holds for kicks that change C1; it promises less, for other places to rest may lie inside."""
+    if (kick := _any_kick(well)) is None:
+        return []
+    return [f"Any kick of less than {_short(kick)}{unit} keeps k over its well in the frame that turns with "
+            "it, inside which there may be other places to rest."]
 
 
 def _tilt(well: Well) -> float | None:
