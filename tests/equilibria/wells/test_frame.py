@@ -118,7 +118,7 @@ def test_rotations_of_an_algebraic_rate(seed):
 
 
 def test_what_has_none_says_why():
-    """No minimum in the frame; a cubic field at a rate that is no fraction; no permanent rotation."""
+    """No minimum in the frame; a cubic field at a rate that is no fraction; a plane askew; a satellite."""
     scene = gs.assemble(gs.Gyrostat((2, 1, "3/2"), (1, 0, 0)), gs.general_potential("k1"))
     spun = next(e for e in gs.relative_equilibria(scene, {"C1": "3/2"}) if e.place["k3"] == 1)
     assert spun.form.index == 0 and spun.well.frame.barrier is None
@@ -130,5 +130,9 @@ def test_what_has_none_says_why():
     held = next(e for e in gs.relative_equilibria(cubic, {"C1": "5/2"}) if e.form.index == 0)
     with pytest.raises(ScopeError, match="rational"):
         held.well.kick()
+    oblique = gs.assemble(gs.Gyrostat([[3, 1, 0], [1, 3, 0], [0, 0, 5]], ("1/5", "1/5", "1/3")),
+                          gs.general_potential("k1 + k2 + k3/2"))
+    held = next(e for e in gs.relative_equilibria(oblique, {"C1": "1/2"}) if e.form.index == 0)
+    assert held.well.barrier_double > 0 and "plane of symmetry" in held.well.frame.reason
     craft = gs.assemble(gs.Gyrostat((60, 70, 35), (0, 0, 0)), gs.circular_orbit(1))
     assert "permanent rotation" in gs.relative_equilibria(craft, {})[0].well.frame.reason

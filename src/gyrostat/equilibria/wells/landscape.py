@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 from flint import arb
-from sympy import Add, Expr, Matrix, Poly, PolynomialError, Rational, Symbol, sqrt
+from sympy import Add, CRootOf, Expr, Matrix, Poly, PolynomialError, Rational, Symbol, sqrt
 
 from ..._cached import cached_property
 from ...algebra.enclosures.balls import ball
@@ -24,6 +24,8 @@ from .in_balls import BITS, dot, form, in_balls, rows_in_balls
 LARGEST = 10**15                                       # denominator of a level
 NO_FRACTION = ("{} is no fraction of a small denominator here, and all equilibria of a level are found at "
                "such fractions: find the equilibrium by its level")
+NO_RATE = ("the rate is not rational, and in a field of degree 3 or more all rotations of a rate are found "
+           "if it is: find the rotation by its rate")
 MOMENTUM, NORMAL, UPWARD = (tuple(components(name)) for name in ("pi", "n", "r"))
 
 
@@ -160,6 +162,8 @@ def turning_landscape(rotation: RelativeEquilibrium) -> Landscape:
     scene, omega, k = rotation.scene, rotation.rates["omega"], Matrix(DIRECTIONS)
     body, U = scene.body, scene.potential
     assert U is not None
+    if _polynomial(U.expression, DIRECTIONS, math.inf).total_degree() > 2 and omega.has(CRootOf):
+        raise ScopeError(NO_RATE)
     V = U.expression - omega**2 * k.dot(body.tensor * k) / 2 - omega * Matrix(body.gyrostatic_momentum).dot(k)
     return Landscape(relative_equilibria(scene, {"omega": omega}), [_polynomial(V, DIRECTIONS, math.inf)])
 
