@@ -122,6 +122,8 @@ def test_states_of_a_free_gyrostat():
             if abs(turn * ((M - l)**2 @ (1 / I) / 2) - height) > 0.02:
                 inside = bool(label[cell(M)] and label[cell(M)] == label[cell(M0)])
                 assert e.well.contains(M - l) is inside
+        if len(e.well.tree.merges) == 1:
+            assert float(e.well.tree.merges[0].height) == pytest.approx(e.well.escape_double)
 
 
 def test_what_is_no_state_of_the_level():
@@ -144,3 +146,16 @@ def test_what_is_no_state_of_the_level():
     assert sleeping.tree.merges == () and "tilt alone" in sleeping.tree.reason
     with pytest.raises(ScopeError, match="tilt alone"):
         sleeping.contains([0, 0, 3, 0, 0, 1])
+
+
+def test_a_state_of_doubles_is_the_next_one_of_its_level():
+    """Off it along k by 1e-7, at 1e-9 below the pass and above it: the answer is that of the level."""
+    found, V, level, l = scenes(0)
+    e, I = next(filter(held, found)), np.array(MOMENTS)
+    k = np.array([e.doubles.place[f"k{n}"] for n in (1, 2, 3)])
+    across = np.cross(k, (1, 2, 3))
+    across *= np.sqrt(2 * e.well.barrier_double / (across**2 @ (1 / I)))
+    for share, inside in ((1 - 1e-9, True), (1 + 1e-9, False)):
+        for off in (-1e-7, 0, 1e-7):
+            pi = (level - k @ l) / (k**2 @ I) * I * k + share * across + off * k
+            assert e.well.contains([*pi, *(k * (1 + off / 10))]) is inside

@@ -8,7 +8,7 @@ import gyrostat as gs
 from gyrostat.equilibria.wells import joining
 from gyrostat.equilibria.wells import paths as module
 from gyrostat.equilibria.wells.landscape import landscape_of
-from gyrostat.equilibria.wells.merge_tree import Outcome, outcome
+from gyrostat.equilibria.wells.merge_tree import Join, Outcome, joins, outcome
 from gyrostat.equilibria.wells.paths import Paths
 
 SATELLITE = gs.assemble(gs.Gyrostat((60, 70, 35), (0, 0, 0)), gs.circular_orbit(1))
@@ -127,3 +127,13 @@ def test_a_tie_is_broken_exactly():
     assert level == [[n] for n in places]
     assert joining.told_apart(known.points, places, True) == [[n] for n in places[::-1]]
     assert joining.told_apart([STABLE, STABLE], [0, 1], False) == [[0, 1]]
+
+
+def test_how_wells_join():
+    """A saddle from a well to itself joins nothing; three wells over one value become one at once."""
+    indices, ends = [0, 0, 0, 1, 1, 1, 2], {3: [0, 0], 4: [1, 0], 5: [2, 1]}
+    levels = [[0], [1, 2], [3]]
+    assert joins([*levels, [4], [5, 6]], indices, ends.get) == (
+        [Join((4,), ((0,), (1,))), Join((5,), ((0, 1), (2,)))], None)
+    assert joins([*levels, [4, 5], [6]], indices, ends.get) == ([Join((4, 5), ((0,), (1,), (2,)))], None)
+    assert joins([*levels, [4], [5, 6]], [*indices[:5], None, 2], ends.get) == ([Join((4,), ((0,), (1,)))], 5)
