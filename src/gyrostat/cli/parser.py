@@ -94,7 +94,7 @@ def parser() -> argparse.ArgumentParser:
                         "the details of each: exact numbers, frequencies, margins and reasons")
     decide.add_argument("--well", action="store_true",
                         help="add the well of each stable equilibrium: the height of its lowest pass, and "
-                        "the kick below which it stays (text, JSON)")
+                        "the kick below which it stays")
     decide.add_argument("--format", choices=("text", "csv", "latex", "json"),
                         help="default: by the suffix of --output: .csv, .tex, .json; else text; batch: json")
     decide.add_argument("--exact", action="store_true",
