@@ -118,6 +118,7 @@ def verbs():
                       "progress": None}),
         (c.verdicts, {"0": k.report, "I1": 1, "m0": 1, "l": [[0.0], [0.5]], "pi3_0": [-2.0, 1.0],
                       "invalid": "mark", "out": np.zeros((2, 2), np.int8)}),
+        (c.with_barriers, {"chart": k.kicked, "report": k.wheeled}),
         (m.angle_rates, {"omega": (s("omega1"), 0, 0), "convention": "zxz"}),
         (m.angular_momentum, {"body": k.free.body, "convention": "zxz"}),
         (m.angular_velocity, {"convention": "zxz"}),
