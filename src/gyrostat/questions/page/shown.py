@@ -16,6 +16,7 @@ from ...printing.results.document import conditions_blocks, point_blocks, report
 from ...printing.results.normal_form import form_blocks
 from ...stability.report.report import Report
 from ..answers.between_criteria import between, between_blocks
+from ..answers.closed_wells import safe_kick
 from .chart_edges import edges
 from .chosen import EVERY, POINT, Chosen, chosen
 from .copies import latex, program, scene_file
@@ -100,9 +101,10 @@ def _decided(asked: Chosen, given: Mapping[str, str]) -> Data:
         return {"found": [{"verdict": verdict, "blocks": typeset(blocks)} for verdict, blocks in found],
                 "doubles": doubles(values)}
     decision, damped = asked.report.verdict(values), asked.report.verdict(values, damped=True)
+    kick = safe_kick(asked.report, values) if decision.stable else []
     return {"verdict": decision.verdict.name, "damped": damped.verdict.name, "doubles": doubles(values),
             "blocks": typeset([*decision_blocks(decision, asked.equilibrium.at), reason_block(decision),
-                               damped_block(decision, damped)])}
+                               damped_block(decision, damped), *kick])}
 
 
 def _derived(asked: Chosen, _: Mapping[str, str]) -> Data:
