@@ -5,7 +5,7 @@ import { possible } from "./app/numbers.js";
 import { nothing, scene, taken } from "./app/scene.js";
 import { questions } from "./app/state.js";
 
-const KINDS = ["analysed", "decided", "opened", "charted", "moving"];
+const KINDS = ["analysed", "decided", "opened", "survived", "charted", "moving"];
 const ROUNDS = 4;                                       // as far as an answer leads to another question
 
 /**

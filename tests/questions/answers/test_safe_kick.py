@@ -12,10 +12,13 @@ FREE = {"inertia": ["1", "2", "3"], "gyrostatic_momentum": ["0", "0", "l"], "equ
 
 
 def said(scene, **values):
-    """The number of the sentence, and what it says; None if there is no such sentence."""
-    parts = gs.questions.show({**scene, "values": values}, "decided")["blocks"][-1].get("sentence", [])
-    words = [part.get("text") or part["tex"] for part in parts]
-    return (float(words[1]), words[2].strip()) if words[:1] == ["A kick of less than "] else None
+    """The number of the sentence, and what it says; None if there is none."""
+    blocks = gs.questions.show({**scene, "values": values}, "survived")["blocks"]
+    if not blocks:
+        return None
+    [words] = [[part.get("text") or part["tex"] for part in block["sentence"]] for block in blocks]
+    assert words[0] == "A kick of less than "
+    return float(words[1]), words[2].strip()
 
 
 @pytest.mark.parametrize(("scene", "values", "kick", "kept"), [

@@ -41,7 +41,7 @@ def safe_kick(report: Report, values: Mapping[str, str]) -> list[Block]:
     """
     given = {symbol(name): exact_number(text, name) for name, text in values.items()}
     for form in (form for known in closed_forms(report.equilibrium) if (form := known.at(given)) is not None):
-        if form.root or form.kick is None or (kick := form.kick.xreplace({THETA: pi / 18})).free_symbols:
+        if form.kick is None or (kick := form.kick.xreplace({THETA: pi / 18})).free_symbols:
             continue
         kept = " keeps it within 10° of its place." if THETA in form.kick.free_symbols else (
             " does not take it out of its well.")
