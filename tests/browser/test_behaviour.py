@@ -71,9 +71,9 @@ def test_a_link_has_the_newest_numbers_however_fast_they_change(page):
 
 def test_nothing_is_asked_of_another_host(started, context, address):
     """All that page and thread load comes from where it is served; the browser knows no other host."""
-    host = address.removesuffix("index.html")
+    host = address.removesuffix("try/index.html")
     asked = {url.split("?")[0] for url in context.asked if not url.startswith(("data:", "blob:"))}
-    assert {f"{host}{name}" for name in ("app/worker.js", "runtime/pyodide.mjs", "files.json")} <= asked
+    assert {f"{host}try/{name}" for name in ("app/worker.js", "runtime/pyodide.mjs", "files.json")} <= asked
     assert all(url.startswith(host) for url in asked), asked
 
 

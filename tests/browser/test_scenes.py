@@ -84,7 +84,7 @@ def test_random_scenes_have_the_librarys_answers(page, first):
     questions = [{"want": want, "scene": drawn_scene(n)} for n in range(first, first + 60)
                  for want in ("analysed", "decided")]
     found = page.evaluate("""async (questions) => {
-        const { Analyser } = await import("./app/analyser.js");
+        const { Analyser } = await import("/sources/app/analyser.js");
         if (!window.other) (window.other = new Analyser(() => {})).start();
         const answers = [];
         for (const { want, scene } of questions) answers.push(await window.other.ask(want, scene));

@@ -3,11 +3,11 @@ import { typeset, word } from "../views/blocks.js";
 import { Nearby } from "../views/body.js";
 import { Chart } from "../views/chart.js";
 import { fitted, placed } from "../views/sliders.js";
+import { Analyser } from "./analyser.js";
 import { Answers } from "./answers.js";
 import { checked } from "./arrived.js";
 import { cards } from "./cards.js";
 import { copied } from "./copies.js";
-import { analyser } from "./early.js";
 import { Form } from "./form.js";
 import { gallery } from "./gallery.js";
 import { Entries } from "./history.js";
@@ -25,6 +25,8 @@ const SOON = 60;                                        // milliseconds before t
 /** @param {string} id @returns {any} */
 const at = (id) => document.getElementById(id);
 
+const analyser = new Analyser();
+if (navigator.serviceWorker?.controller) analyser.start();              // what is kept here needs no line
 at("unstarted").remove();
 window.onerror = (message) => notice("page", `This page failed (${message}).`, ...reload);
 window.onunhandledrejection = ({ reason }) => window.onerror?.(reason?.message ?? reason);
