@@ -191,10 +191,16 @@ def test_two_axes_differ(page, context):
 
 
 def test_a_chart_over_one_number_is_none(page):
-    """It says which number alone a verdict needs."""
+    """It says which number alone a verdict needs, and offers no axes until there are two again."""
     picked(page, 5)
+    assert page.is_visible("#across")
     typed(page, "inertia", "1, 2, 5/2")
     page.wait_for_selector("#no-chart:has-text('a verdict here needs omega2_0 alone')")
+    assert page.is_hidden("#across") and page.is_hidden("#upwards")
+    picked(page, 10)
+    assert page.is_hidden("#across") and page.is_hidden("#upwards")
+    picked(page, 0)
+    assert page.is_visible("#across") and page.is_visible("#upwards")
 
 
 def test_pictures_take_numbers_as_the_library_does(page):

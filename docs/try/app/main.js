@@ -45,7 +45,7 @@ const form = new Form(asked, changed, picked);
 const chart = new Chart(at("charted"), asked, answers, set, update);
 const nearby = new Nearby(at("nearby"), asked, answers, changed, update);
 const sharing = new Sharing(asked, answers, { body: nearby, chart }, update);
-const modes = new Modes(asked, (by) => picked(at("example").selectedIndex + by), update);
+const modes = new Modes(asked, (by) => picked(Number(at("example").value) + by), update);
 const entries = new Entries((address) => history.pushState(null, "", address),
   (address) => history.replaceState(null, "", address), () => location.hash);
 const draw = cards(asked, form, changed);

@@ -1,6 +1,7 @@
 // A chart of two names: in each pixel what doubles prove of the criteria, over it zeros of margins, exact.
 import { notice, reload } from "../app/notices.js";
 import { possible } from "../app/numbers.js";
+import { paired } from "./axes.js";
 import { element } from "./blocks.js";
 import { handled } from "./chart-hands.js";
 import { paint, placed, shares } from "./plot.js";
@@ -39,6 +40,7 @@ export class Chart {
     const find = (name) => place.querySelector(name);
     this.canvas = find("canvas");
     this.selects = [find("#across"), find("#upwards")];
+    this.choice = find(".axes");
     this.why = find("#no-chart");
     this.drawn = find(".drawn");
     this.whole = find("#whole");
@@ -83,19 +85,14 @@ export class Chart {
    * @param {import("./scales.js").Name[]} names
    */
   choose(axes, names) {
-    let [x, y] = this.selects.map((select, n) => this.wanted[n] ?? select.value)
-      .map((name) => axes.includes(name) ? name : undefined);
-    if (x === y) y = undefined;
-    const [last, before] = axes.toReversed();
-    x ??= before === y ? last : before ?? last;
-    y ??= last === x ? before : last;
     const texts = new Map(names.map(({ name, text }) => [name, text]));
-    [x, y].forEach((name, n) => {
-      this.selects[n].replaceChildren(...axes.map((axis) => new Option(texts.get(axis), axis)));
-      this.selects[n].value = name ?? "";
-    });
+    this.asked.axes = paired(axes, this.asked.axes.map((name, n) => this.wanted[n] ?? name));
     this.wanted = [];
-    this.asked.axes = this.selects.map((select) => select.value);
+    this.selects.forEach((select, n) => {
+      select.replaceChildren(...axes.map((axis) => new Option(texts.get(axis), axis)));
+      select.value = this.asked.axes[n];
+    });
+    this.choice.hidden = axes.length < 2;
   }
 
   /** Another axis; the name of the other one changes places with it. @param {number} n */
