@@ -36,7 +36,7 @@ def test_hostile_links_go_through_the_same_gate(page, context):
     for text in TEXTS:
         _followed(page, text)
         assert "internal error" not in shown(page)[1], text
-    assert page.evaluate("document.scripts.length") == 3 and context.errors[errors:] == []
+    assert page.evaluate("document.scripts.length") == 2 and context.errors[errors:] == []
     assert picked(page, 1)[1] == ""
 
 

@@ -34,6 +34,7 @@ export class Chart {
     /** @type {any} */
     this.program = null;
     this.drawing = this.broken = "";
+    this.size = 0;                                      // of the picture, a square, where it is or was last seen
     /** @type {import("./plot.js").Colours} */
     this.colours = { ink: "", quiet: "", paper: "" };
     /** @param {string} name @returns {any} */
@@ -63,19 +64,16 @@ export class Chart {
       this.inks();
       settled();
     };
-    const soon = () => requestAnimationFrame(() => this.draw());
-    new ResizeObserver(soon).observe(this.canvas);
-    addEventListener("resize", soon);                   // a pixel of the screen may be another one
+    new ResizeObserver((entries) => {
+      this.size = Math.round(entries[entries.length - 1].contentRect.width) || this.size;
+      this.draw();
+    }).observe(this.canvas);
+    addEventListener("resize", () => this.draw());      // a pixel of the screen may be another one
   }
 
   /** Whether what is drawn is of another scene than the page's, or of other numbers. */
   get waiting() {
     return this.answers.waiting("charted") || this.regions.waiting;
-  }
-
-  /** The width of the picture, which is a square. @returns {number} */
-  get size() {
-    return this.canvas.clientWidth;
   }
 
   /**
