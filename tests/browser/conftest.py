@@ -74,6 +74,8 @@ else:
     def page(started):
         """The page with the first example."""
         started.set_viewport_size({"width": 1280, "height": 900})
+        # whatever another test has left
+        started.emulate_media(color_scheme="light", reduced_motion="no-preference")
         started.select_option("#example", "1")
         started.select_option("#example", "0")
         started.wait_for_selector("body[aria-busy=false]:has(#early[hidden])")

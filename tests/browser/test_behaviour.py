@@ -65,7 +65,7 @@ def test_a_link_has_the_newest_numbers_however_fast_they_change(page):
     assert shown(page) == ("Unstable", "")
     page.click("[data-copy=link]")
     assert "set=I3%3D1.3&" in page.input_value("#copied")
-    page.wait_for_url(page.input_value("#copied"), timeout=5000)
+    page.wait_for_url(page.input_value("#copied"))
     page.evaluate("delete history.replaceState")
 
 

@@ -37,7 +37,7 @@ def without(context, address, name, mode):
 def leads_on(page, said):
     """The sentence is there, and a way on with it."""
     line = page.locator("#unstarted, #notice").filter(has_text=said)
-    line.wait_for(timeout=20_000)
+    line.wait_for()
     return "load the page again" in line.inner_text() or line.locator("button").count() > 0
 
 

@@ -136,7 +136,6 @@ def test_a_picture_is_what_is_seen(page, theme):
     found = page.evaluate(COLOURS, f"data:image/png;base64,{base64.b64encode(data).decode()}")
     assert 200_000 > found[LIGHT["unstable"]] > 50_000 and found[LIGHT["stable"]] > 150_000
     assert sorted(found, key=found.get)[-1] == "255,255,255"
-    page.emulate_media(color_scheme="light")
 
 
 def test_a_picture_waits_for_its_answer(page):

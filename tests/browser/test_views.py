@@ -85,7 +85,6 @@ def opened(page):
     """The page with its form open, as it is found and left."""
     page.evaluate("document.getElementById('asked').open = true")
     yield page
-    page.emulate_media(color_scheme="light")
     page.evaluate("for (const id of ['derivation', 'opened']) document.getElementById(id).open = false")
     page.set_viewport_size({"width": 1280, "height": 900})
     typed(page, "potential", "m0*k3")

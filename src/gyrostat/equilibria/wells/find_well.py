@@ -1,16 +1,10 @@
 """Finds the well of a relative equilibrium, in whatever kind of scene, or says why there is none."""
-from collections.abc import Sequence
-from functools import cmp_to_key
-from itertools import pairwise
-
-from ...algebra.enclosures.precision import own_precision
-from ...algebra.reals.exact import evaluate, proved_sign
 from ...errors import ScopeError
 from ...mechanics.scenes.kind import Kind
 from ...stability.decision import Verdict
 from ..finders.revolution_form import RevolutionForm
 from ..relative_equilibrium import RelativeEquilibrium
-from .in_balls import BITS
+from .joining import NO_PATH, NOT_ISOLATED, in_classes, told_apart
 from .landscape import landscape_of
 from .merge_tree import outcome
 from .paths import Paths
@@ -23,8 +17,6 @@ DEGENERATE = ("no barrier is found of an equilibrium that is not isolated, or wh
               "degenerate")
 HELD = ("the energy has no minimum here: gyroscopic forces hold it, with no bound of the energy, and damping "
         "takes it away")
-NO_PATH = "the way down from an equilibrium is not proved: no pass lies below it, what lies above is open"
-NOT_ISOLATED = "a degenerate equilibrium lies above: no pass lies below it, what lies above is open"
 
 
 def well_of(rotation: RelativeEquilibrium) -> Well:
@@ -48,33 +40,13 @@ def well_of(rotation: RelativeEquilibrium) -> Well:
     down = [None if e.locus or 0 in e.form.signs else e.form.index for e in points]
     indices = [len(e.form.signs) - n if turned and n is not None else n for n, e in zip(down, points)]
     paths = Paths(landscape, indices)
-    with own_precision(BITS):
-        here = landscape.number(rotation)
-        levels: list[list[int]] = []
-        for n in sorted(range(len(points)), key=lambda n: float(paths.values[n].mid())):
-            if levels and paths.values[levels[-1][-1]].overlaps(paths.values[n]):
-                levels[-1].append(n)
-            else:
-                levels.append([n])
-        heights = [value - paths.values[here] for value in paths.values]
+    here, levels = landscape.number(rotation), in_classes(paths.values)
     found = outcome(here, levels, indices, paths.ends)
     if found.tied:
         levels = [part for level in levels for part in (
-            _by_energy(points, level, turned) if found.passes[0] in level else [level])]
+            told_apart(points, level, turned) if found.passes[0] in level else [level])]
         found = outcome(here, levels, indices, paths.ends)
     stopped = found.stopped
     reason = "" if stopped is None else NOT_ISOLATED if indices[stopped] is None else NO_PATH
-    return Well(rotation, points, heights, found, reason)
+    return Well(rotation, paths, found, reason)
 
-
-def _by_energy(points: Sequence[RelativeEquilibrium], level: list[int], turned: bool) -> list[list[int]]:
-    """Classes of equal energy, exactly, of points that balls do not tell apart; the lowest first."""
-    def compared(a: int, b: int) -> int:
-        sign = proved_sign(evaluate(points[a].energy - points[b].energy, {}))
-        return -sign if turned else sign
-
-    ordered = sorted(level, key=cmp_to_key(compared))
-    parts = [ordered[:1]]
-    for before, n in pairwise(ordered):
-        parts.append([n]) if compared(before, n) else parts[-1].append(n)
-    return parts

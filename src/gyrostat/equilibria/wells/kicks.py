@@ -17,7 +17,17 @@ from ..relative_equilibrium import RelativeEquilibrium
 from .in_balls import BITS, form, in_balls, rows_in_balls
 from .tilts import TiltWell
 
+LEAVES = "a kick along k changes C1, and the well with it: ask for those across k, level=True"
+SPHERE = "a kick changes the momentum sphere of a free body, and the well with it: ask for its barrier"
 Matrix3 = list[list[arb]]
+
+
+def keeps_its_level(rotation: RelativeEquilibrium, level: bool) -> None:
+    """Refuse kicks that change the level, where a well is one of a level."""
+    if rotation.scene.kind is Kind.FREE:
+        raise ScopeError(SPHERE)
+    if rotation.scene.kind is not Kind.ORBIT and not level:
+        raise ScopeError(LEAVES)
 
 
 def kick_below(rotation: RelativeEquilibrium, barrier: arb, direction: Sequence[Any] | None) -> float:

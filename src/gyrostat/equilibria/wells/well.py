@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from flint import arb
-from sympy import Expr, Poly, oo
+from sympy import Expr, oo
 
 from ..._cached import cached_property
 from ..._display import Shown
@@ -14,17 +14,18 @@ from ...algebra.reals.exact import evaluate
 from ...errors import ScopeError
 from ...mechanics.families.circular_orbit import by_gradient_alone
 from ...mechanics.scenes.kind import Kind
-from ...mechanics.scenes.potential import DIRECTIONS
-from ...mechanics.scenes.principal_axes import principal_axes
 from ..relative_equilibrium import RelativeEquilibrium
+from .contained import contained
+from .damped import comes_back
 from .in_balls import BITS
-from .kicks import about_the_nodes, below, kick_below, tilt_below
+from .joining import Tree, tree
+from .kicks import about_the_nodes, below, keeps_its_level, kick_below, tilt_below
 from .merge_tree import Outcome
+from .paths import Paths
 from .tilts import TiltWell
 from .within import kick_within
 
-LEAVES = "a kick along k changes C1, and the well with it: ask for those across k, level=True"
-SPHERE = "a kick changes the momentum sphere of a free body, and the well with it: ask for its barrier"
+TILTS = "the tilt alone moves; ask for its barrier, or for an angle"
 
 
 @dataclass(frozen=True, repr=False)
@@ -37,10 +38,8 @@ class Well(Shown):
     Parameters
     ----------
     rotation : RelativeEquilibrium
-    points : sequence of RelativeEquilibrium
-        all of its level
-    heights : sequence of arb
-        V of each above that of the rotation, in balls [M L²/T²]
+    paths : Paths or None
+        the paths down from all equilibria of its level; None if they are not known
     found : Outcome
         what the well meets first
     reason : str
@@ -48,11 +47,20 @@ class Well(Shown):
     """
 
     rotation: RelativeEquilibrium
-    points: Sequence[RelativeEquilibrium] = ()
-    heights: Sequence[arb] = ()
+    paths: Paths | None = None
     found: Outcome = Outcome()
     reason: str = ""
     line: TiltWell | None = None
+
+    @property
+    def points(self) -> Sequence[RelativeEquilibrium]:
+        """All equilibria of its level, if they are known."""
+        return () if self.paths is None else self.paths.landscape.points
+
+    @cached_property
+    def heights(self) -> Sequence[arb]:
+        """V of each of them above that of the rotation, in balls [M L²/T²]."""
+        return () if self.paths is None else self.paths.above(self.rotation)
 
     @cached_property
     def barrier(self) -> Expr | None:
@@ -140,11 +148,7 @@ class Well(Shown):
         """
         if self.barrier_double is None:
             raise ScopeError(f"no kick is known to be small enough: {self.reason}")
-        kind = self.rotation.scene.kind
-        if kind is Kind.FREE:
-            raise ScopeError(SPHERE)
-        if kind is not Kind.ORBIT and not level:
-            raise ScopeError(LEAVES)
+        keeps_its_level(self.rotation, level)
         if self.line is not None:
             return about_the_nodes(self.line, direction)
         return kick_below(self.rotation, self.heights[self.found.passes[0]], direction)
@@ -197,24 +201,45 @@ class Well(Shown):
                              "alone" + (f"; {self.reason}" if self.reason else ""))
         return tilt_below(self.rotation, self.heights[self.found.passes[0]])
 
+    def contains(self, state: Sequence[Any]) -> bool | None:
+        """Tell whether a motion that starts in a state is held in the well.
+
+        Asked is the next state of the level, as one of doubles is none of it exactly: directions are divided
+        by their lengths, and in a field π is moved along k.
+
+        Parameters
+        ----------
+        state : sequence of number or str
+            in the coordinates of the scene: π, and k, or n and r
+
+        Returns
+        -------
+        bool or None
+            False if its energy is that of the pass or more, or if it is in another well; None if a path down
+            from it is not proved
+
+        Raises
+        ------
+        ScopeError
+            there is no barrier, or it is that of a body of revolution
+        ValuesError
+            the state is none of the level
+        """
+        if self.paths is None or not self.found.passes:
+            raise ScopeError(f"no state is known to be inside: {TILTS if self.line else self.reason}")
+        return contained(self.rotation, self.paths, self.paths.values[self.found.passes[0]], state)
+
+    @cached_property
+    def tree(self) -> Tree:
+        """How all wells of its level become one; empty for a body of revolution, whose tilt alone moves."""
+        if self.paths is None:
+            return Tree((), TILTS if self.line else self.reason)
+        return tree(self.rotation, self.paths, self._turned)
+
     @cached_property
     def damped(self) -> bool | None:
-        """Whether every motion inside comes back under internal damping; None if that is not known.
-
-        It is, by LaSalle's theorem, if no motion with a constant rate in the body but the equilibria is
-        possible: in a uniform field, in an orbit with three different moments and no other torque, and of a
-        free body about its axis of least energy. A maximum of the energy is left.
-        """
-        scene = self.rotation.scene
-        if not self.found.passes:
-            return None
-        if scene.kind is Kind.FREE:
-            return self.rotation.form.index == 0
-        if scene.kind is Kind.ORBIT:
-            distinct = len({*principal_axes(scene.body)[0].moments}) == 3
-            return True if distinct and by_gradient_alone(scene) else None
-        assert scene.potential is not None
-        return True if Poly(scene.potential.expression, *DIRECTIONS).total_degree() == 1 else None
+        """Whether every motion inside comes back under internal damping; None if that is not known."""
+        return comes_back(self.rotation) if self.found.passes else None
 
     def _above(self, n: int) -> Expr:
         rise = evaluate(self.points[n].energy - self.rotation.energy, {})
