@@ -49,6 +49,9 @@ def known():
                                       fixed={"I1": 1, "m0": 1})
     wheel = gs.Rotor((0, 0, 1), "40 kg m^2", rate="60 rpm")
     dual = gs.gyrostat_with_rotors(["1000 kg m^2", "1000 kg m^2", "200 kg m^2"], [wheel], lumped=True)
+    wheeled = gs.analyze(gs.earth_pointing(gs.assemble(gs.Gyrostat((60, 70, 35), (0, s("l"), 0)),
+                                                       gs.circular_orbit())))
+    kicked = gs.charts.stability_chart(wheeled, x=("l", [0, 1]), y=("omega0", [1, 2]))
     return SimpleNamespace(**{name: value for name, value in locals().items() if name != "s"})
 
 

@@ -11,3 +11,6 @@ RUNGS = {rung: code for code, rung in enumerate(Rung)}
 CURVES = {"resonance_1_2": 2, "resonance_1_3": 3, "D4_zero": 4}
 # the kinds of boxes, in the order in which shares are told
 BOX_KINDS = {"stable": STABLE, "unstable": UNSTABLE, "undecided": UNDECIDED, "no equilibrium": INVALID}
+# how much a stable point survives, beside its verdict: what it is, its dimension, its unit in SI
+SURVIVED = {"kick": ("impulse below which the motion stays in the well", (1, 1, 0), "N m s"),
+            "barrier": ("height of the lowest pass out of the well", (1, 2, 0), "J")}

@@ -78,6 +78,8 @@ def parser() -> argparse.ArgumentParser:
     chart.add_argument("--damped", action="store_true",
                        help="decide under internal damping, too; a picture is hatched where damping destroys "
                        "stability")
+    chart.add_argument("--well", action="store_true", help="add the kick below which a stable point stays, "
+                       "and its barrier, where they are known in closed form; contours in a picture")
     chart.add_argument("--threads", type=int, default=1, metavar="N", help="how many threads; default: 1")
     chart.add_argument("--backend", choices=("numpy", "numba"), default="numpy",
                        help="numba is faster and needs gyrostat[fast]; default: numpy")
@@ -94,7 +96,7 @@ def parser() -> argparse.ArgumentParser:
                         "the details of each: exact numbers, frequencies, margins and reasons")
     decide.add_argument("--well", action="store_true",
                         help="add the well of each stable equilibrium: the height of its lowest pass, and "
-                        "the kick below which it stays (text, JSON)")
+                        "the kick below which it stays")
     decide.add_argument("--format", choices=("text", "csv", "latex", "json"),
                         help="default: by the suffix of --output: .csv, .tex, .json; else text; batch: json")
     decide.add_argument("--exact", action="store_true",

@@ -2,6 +2,7 @@
 from collections.abc import Iterable, Sequence
 from typing import Any
 
+from .._lazy import loaded
 from ..arguments import checked
 from ..stability.decision import Decision
 from .relative_equilibrium import RelativeEquilibrium
@@ -10,7 +11,7 @@ Row = dict[str, Any]
 
 
 @checked
-def table(found: Sequence[RelativeEquilibrium]) -> list[dict[str, Any]]:
+def table(found: Sequence[RelativeEquilibrium], wells: bool = False) -> list[dict[str, Any]]:
     """Return relative equilibria as rows with the same keys, which pandas.DataFrame takes as they are.
 
     The columns, of which a kind of scene has those that make sense for it:
@@ -27,10 +28,19 @@ def table(found: Sequence[RelativeEquilibrium]) -> list[dict[str, Any]]:
     - notion and scope: which stability is meant, and what is divided out; reason and damped_reason; note:
       what is unusual about the body
 
+    and of wells, if they are asked for,
+
+    - barrier and escape [M L²/T²], infinite without a pass; barrier_at_least, if only a bound is known
+    - pass_kind; passes, how many there are; pass_k1, …: the place of the first one
+    - kick, in whatever direction, of a body in a field across k [M L²/T]; tilt_deg of a satellite
+    - well_damped: whether damped motions come back; well_reason: why there is no barrier
+
     Parameters
     ----------
     found : sequence of RelativeEquilibrium
         of relative_equilibria
+    wells : bool
+        whether there are columns of the wells
 
     Returns
     -------
@@ -58,7 +68,7 @@ def table(found: Sequence[RelativeEquilibrium]) -> list[dict[str, Any]]:
     yaw_deg 44.76110019146366
     frequency_1_per_orbit 0.5450428616011218
     """
-    return aligned(row(e, e.label, e.decision, e.damped) for e in found)
+    return aligned(row(e, e.label, e.decision, e.damped) | (of_well(e.well) if wells else {}) for e in found)
 
 
 def row(found: RelativeEquilibrium | None, label: str, decision: Decision, damped: Decision | None) -> Row:
@@ -70,6 +80,14 @@ def row(found: RelativeEquilibrium | None, label: str, decision: Decision, dampe
     return cells | {"growing_modes": None if damped is None else damped.growing,
                     "notion": decision.notion.value, "scope": decision.scope, "reason": decision.reason,
                     "damped_reason": None if damped is None else damped.reason, "note": decision.note}
+
+
+def of_well(well: Any) -> Row:
+    """Return the columns of a well; of none, given by the reason, that alone."""
+    if isinstance(well, str):
+        return {"well_reason": well}
+    cells: Row = loaded("equilibria.well_columns:well_columns")(well)
+    return cells
 
 
 def _numbers(found: RelativeEquilibrium) -> Row:

@@ -1,11 +1,12 @@
-"""Draws curves of charts: the boundary, and in gyroscopically stabilised windows resonances and D4 = 0."""
+"""Draws curves of charts: boundaries, resonances and D4 = 0 in windows, contours of what is survived."""
 from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 
 from ..algebra.enclosures.floats import Array
-from .looks import BLUE, DESTROYED, INK
+from ..charts.codes import SURVIVED
+from .looks import BLUE, DESTROYED, INK, with_dimension
 
 # curves in windows, by their flag
 WINDOW = {"resonance_1_2": (INK[DESTROYED], "--", "resonance 1:2"),
@@ -24,6 +25,20 @@ def curves(ax: Any, ds: Any, dims: tuple[str, ...], edges: Sequence[Array]) -> l
             x, y = (np.where(ds.curve == codes[name], values, np.nan) for values in points)
             drawn += _line(ax, x, y, edges, *look)
     return drawn
+
+
+def contours(ax: Any, seen: Any, si: bool) -> list[Any]:
+    """Of the kick that a stable point survives, or of its barrier, if a chart has it; what the legend has."""
+    name = next((name for name in SURVIVED if name in seen), "")
+    if not name or min(seen[name].shape) < 2 or not np.isfinite(seen[name]).any():
+        return []
+    from matplotlib.lines import Line2D
+    y, x = (seen[dim].values for dim in seen[name].dims)
+    lines = ax.contour(x, y, seen[name].values, colors=BLUE, linewidths=0.7)
+    ax.clabel(lines, fmt="%g", fontsize="x-small")
+    _, dimension, unit = SURVIVED[name]
+    said = f"safe {name} [{unit}]" if si else with_dimension(f"safe {name}", dimension)
+    return [Line2D([], [], color=BLUE, linewidth=0.7, label=said)]
 
 
 def _points(ds: Any, name: str, dims: tuple[str, ...]) -> list[Array]:

@@ -14,7 +14,7 @@ from ..printing.formats.latex import tex
 from ..printing.formats.latex_names import Names
 from ..typesetting import typeset
 from .captions import headed
-from .chart_curves import curves
+from .chart_curves import contours, curves
 from .headings import field, number
 from .looks import AREAS, DESTROYED, INK, LOOKS, axes_of, label, si_unit, with_dimension
 
@@ -35,7 +35,7 @@ def draw_chart(ds: Any, ax: Any = None, *, si: bool = False, **kwargs: Any) -> A
     ----------
     ds : xarray.Dataset
         of stability_chart, from memory or opened from a store or a file; of a large one at most 2000 values
-        of each axis are read
+        of each axis are read. With what with_barriers adds there are contours of the kick
     ax : matplotlib Axes
         a new one where it is left out; a figure without a layout gets the constrained one, which has room for
         what stands above
@@ -94,6 +94,7 @@ def draw_chart(ds: Any, ax: Any = None, *, si: bool = False, **kwargs: Any) -> A
     if destroyed.any():
         _hatched(ax, x, y, edges, destroyed, DESTROYED)
     drawn = curves(ax, ds, dims, edges)
+    drawn += contours(ax, ds.sel({name: seen[name] for name in dims}), si)
     ax.set(xlim=(edges[0][0], edges[0][-1]), ylim=(edges[1][0], edges[1][-1]),
            xlabel=_label(seen[dims[1]], si), ylabel=_label(seen[dims[0]], si))
     shown = [name for name, where in occurring.items() if _visible(where & ~destroyed)]

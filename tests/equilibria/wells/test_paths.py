@@ -5,10 +5,10 @@ import numpy as np
 import pytest
 
 import gyrostat as gs
-from gyrostat.equilibria.wells import find_well
+from gyrostat.equilibria.wells import joining
 from gyrostat.equilibria.wells import paths as module
 from gyrostat.equilibria.wells.landscape import landscape_of
-from gyrostat.equilibria.wells.merge_tree import Outcome, outcome
+from gyrostat.equilibria.wells.merge_tree import Join, Outcome, joins, outcome
 from gyrostat.equilibria.wells.paths import Paths
 
 SATELLITE = gs.assemble(gs.Gyrostat((60, 70, 35), (0, 0, 0)), gs.circular_orbit(1))
@@ -123,8 +123,17 @@ def test_a_tie_is_broken_exactly():
     scene = gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 1)), gs.general_potential("k1 + k2 + k3"))
     known = next(e for e in gs.relative_equilibria(scene, {"C1": "5/2"}) if e.form.index == 0).well
     places = sorted(range(len(known.points)), key=lambda n: float(known.heights[n].mid()))
-    level = find_well._by_value(known.points, places[::-1], known.value)
+    level = joining.told_apart(known.points, places[::-1], known.value)
     assert level == [[n] for n in places]
-    turned = find_well._by_value(known.points, places, lambda e: -e.energy)
-    assert turned == [[n] for n in places[::-1]]
-    assert find_well._by_value([STABLE, STABLE], [0, 1], known.value) == [[0, 1]]
+    assert joining.told_apart(known.points, places, lambda e: -e.energy) == [[n] for n in places[::-1]]
+    assert joining.told_apart([STABLE, STABLE], [0, 1], known.value) == [[0, 1]]
+
+
+def test_how_wells_join():
+    """A saddle from a well to itself joins nothing; three wells over one value become one at once."""
+    indices, ends = [0, 0, 0, 1, 1, 1, 2], {3: [0, 0], 4: [1, 0], 5: [2, 1]}
+    levels = [[0], [1, 2], [3]]
+    assert joins([*levels, [4], [5, 6]], indices, ends.get) == (
+        [Join((4,), ((0,), (1,))), Join((5,), ((0, 1), (2,)))], None)
+    assert joins([*levels, [4, 5], [6]], indices, ends.get) == ([Join((4, 5), ((0,), (1,), (2,)))], None)
+    assert joins([*levels, [4], [5, 6]], [*indices[:5], None, 2], ends.get) == ([Join((4,), ((0,), (1,)))], 5)

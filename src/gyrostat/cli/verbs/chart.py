@@ -6,7 +6,9 @@ from typing import Any
 
 import numpy as np
 
+from ...charts.barriers import with_barriers
 from ...charts.chart import stability_chart
+from ...charts.codes import SURVIVED
 from ...errors import ValuesError
 from ...notation import symbol
 from ...plotting import draw_chart
@@ -22,6 +24,7 @@ from ..output import PICTURES, Output, file_of, printed_look
 
 DATA = (".nc", ".zarr")
 KINDS = "a picture, chart.png, .pdf or .svg; data, chart.nc or chart.zarr"
+PACKED = ("verdict", "damped", "rung", *SURVIVED)
 LARGEST = 10**9                                        # points of a chart that is not written block by block
 
 
@@ -38,6 +41,9 @@ def run(given: argparse.Namespace, out: Output) -> int:
     if (points := prod(map(len, axes.values()))) > LARGEST and path.suffix != ".zarr":
         raise ValuesError(f"the chart has {points} points, and at most {LARGEST} are held in memory: write "
                           f"them block by block, --output {path.with_suffix('.zarr')}")
+    if given.well and path.suffix == ".zarr":
+        raise ValuesError("--well adds to a picture or to chart.nc, and a store is written block by block: "
+                          "leave one out")
     one_spin(names := {**numbers, **dict.fromkeys(axes)})
     report = report_for("chart", asked_of(given, names), given.equilibrium, names)
     *further, y, x = axes.items()
@@ -45,6 +51,8 @@ def run(given: argparse.Namespace, out: Output) -> int:
     chart = stability_chart(report, x=x, y=y, axes=dict(further), fixed=_as_written(given.values),
                             damped=given.damped, store=store, backend=given.backend,
                             threads=given.threads)
+    if given.well:
+        chart = with_barriers(chart, report)
     if path.suffix in PICTURES:
         form = Form(path, path.suffix.removeprefix("."), given.width, given.dpi, given.title)
         with printed_look():
@@ -53,8 +61,7 @@ def run(given: argparse.Namespace, out: Output) -> int:
             form.save(figure)
     elif store is None:
         packed = {"zlib": True, "complevel": 1}
-        save_netcdf(chart, path, encoding={name: packed for name in ("verdict", "damped", "rung")
-                                                if name in chart})
+        save_netcdf(chart, path, encoding={name: packed for name in PACKED if name in chart})
     out.noted(scene_note(report.equilibrium.system,
                          {symbol(name): number for name, number in numbers.items()}))
     return 0

@@ -59,15 +59,14 @@ def run(given: argparse.Namespace, out: Output) -> int:
     if form == "json":
         out(json_text(answers_data(answers, given.exact, given.well)))
         return 0
-    if given.well and form != "text":
-        raise ValuesError(f"--well adds to text and JSON, and --format {form} writes a table: leave one out")
     if form == "csv":
-        rows = loaded("questions.answers.answer_rows:answer_rows")(answers)
+        rows = loaded("questions.answers.answer_rows:answer_rows")(answers, given.well)
         out(loaded("printing.formats.csv_rows:csv_text")(rows))
         return 0
     if form == "latex":
         paper = loaded("printing.formats.latex_names:Paper")({}, given.label or "gyrostat", given.fragment)
-        out(loaded("questions.answers.answer_latex:answer_latex")(answers, paper, units_given(given)))
+        out(loaded("questions.answers.answer_latex:answer_latex")(
+            answers, paper, units_given(given), given.well))
         return 0
     note, bare = note_once(answers)
     found = [a for a in bare if isinstance(a, Answer)]
@@ -135,13 +134,8 @@ def _blocks(answer: Answer, title: str, units: bool) -> list[Block]:
 
 
 def _well(answer: Answer, asked: bool, units: bool) -> list[Block]:
-    """The well, if it is asked for, of what was found at a point."""
-    if not asked:
-        return []
-    if answer.at_point is None:
-        return [sentence("Well: it is found of equilibria in a list; leave --equilibrium out, or give more "
-                         "numbers.")]
-    blocks: list[Block] = loaded("printing.results.well:well_blocks")(answer.at_point.well, units)
+    """The well, if it is asked for."""
+    blocks: list[Block] = loaded("printing.results.well:well_blocks")(answer.well, units) if asked else []
     return blocks
 
 

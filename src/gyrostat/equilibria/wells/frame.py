@@ -5,18 +5,17 @@ from typing import Any
 
 from sympy import Expr, Matrix
 
-from ..._cached import cached_property
 from ...algebra.enclosures.precision import own_precision
 from ...algebra.rings.matrices import adjugate
 from ...errors import ScopeError
 from ...stability.criteria.amended_form import dot, second_variation, trace
 from ..finders.heavy_form import HeavyForm
 from ..relative_equilibrium import RelativeEquilibrium
-from .find_well import filled
+from .basin import Basin, filled
+from .disturbances.kicks import kick_below
 from .in_balls import BITS
-from .kicks import kick_below
 from .landscape import turning_landscape
-from .well import Well
+from .paths import Paths
 
 NO_ROTATION = "a frame that turns with it is that of a permanent rotation of a body in a field"
 NO_MINIMUM = ("in the frame that turns with it the energy has no strict minimum here: it bounds no kick that "
@@ -24,7 +23,7 @@ NO_MINIMUM = ("in the frame that turns with it the energy has no strict minimum 
 
 
 @dataclass(frozen=True, repr=False)
-class Frame(Well):
+class Frame(Basin):
     """The well of V = U − ω² k·Ik/2 − ω l·k round a permanent rotation, at its rate ω, for any C1 = M·k.
 
     In the frame that turns at this rate about the vertical V is the least energy at k, and V plus the square
@@ -37,21 +36,11 @@ class Frame(Well):
     Simo, Lewis & Marsden, Arch. Rational Mech. Anal. 115 (1991) 15-59, for H − ω C1.
     """
 
-    def kick(self, direction: Sequence[Any] | None = None, level: bool = False) -> float:
+    def kick(self, direction: Sequence[Any] | None = None) -> float:
         """Return the impulse of a torque below which k stays over this well, rounded down: as Well.kick."""
         if not self.found.passes:
             raise ScopeError(f"no kick is known to be small enough: {self.reason}")
-        return kick_below(self.rotation, self.heights[self.found.passes[0]], direction, level)
-
-    @cached_property
-    def frame(self) -> "Frame":
-        """Itself."""
-        return self
-
-    @property
-    def damped(self) -> bool | None:
-        """None: a motion inside may come to rest elsewhere inside."""
-        return None
+        return kick_below(self.rotation, self.heights[self.found.passes[0]], direction, across=False)
 
     def value(self, e: RelativeEquilibrium) -> Expr:
         """Return V at a rotation of the rate: the energy less ω C1 [M L²/T²]."""
@@ -78,7 +67,7 @@ def frame_of(rotation: RelativeEquilibrium) -> Frame:
         landscape = turning_landscape(rotation)
     except ScopeError as error:
         return Frame(rotation, reason=str(error))
-    return filled(Frame(rotation), landscape, list(map(index_at_rate, landscape.points)))
+    return filled(Frame(rotation), Paths(landscape, list(map(index_at_rate, landscape.points))))
 
 
 def index_at_rate(rotation: RelativeEquilibrium) -> int | None:

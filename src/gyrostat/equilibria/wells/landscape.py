@@ -80,7 +80,7 @@ class Landscape:
     def _place(self, rotation: RelativeEquilibrium) -> list[arb]:
         with own_precision(BITS):
             found = [in_balls(numbers) for _, numbers in rotation.form.described[:1 + self.attitudes]]
-            return _quaternion(*found) if self.attitudes else found[0]
+            return quaternion(*found) if self.attitudes else found[0]
 
     @cached_property
     def _exact(self) -> list[Terms]:
@@ -209,8 +209,8 @@ def _rows(q: Sequence[Any], square: Any) -> list[Any]:
     return [c / square for c in (*n, *r)]
 
 
-def _quaternion(n: Sequence[arb], r: Sequence[arb]) -> list[arb]:
-    """A quaternion of the attitude with these rows, by its largest component."""
+def quaternion(n: Sequence[arb], r: Sequence[arb]) -> list[arb]:
+    """Return a quaternion of the attitude with the rows n and r, by its largest component."""
     t = [n[1] * r[2] - n[2] * r[1], n[2] * r[0] - n[0] * r[2], n[0] * r[1] - n[1] * r[0]]
     a, b, c = t, n, r
     squares = [1 + a[0] + b[1] + c[2], 1 + a[0] - b[1] - c[2], 1 - a[0] + b[1] - c[2], 1 - a[0] - b[1] + c[2]]

@@ -6,6 +6,7 @@ import numpy as np
 from flint import arb, arb_series
 
 from ...algebra.enclosures.precision import own_precision
+from ..relative_equilibrium import RelativeEquilibrium
 from .in_balls import BITS
 from .landscape import Landscape
 
@@ -33,6 +34,12 @@ class Paths:
         with own_precision(BITS):
             self.values = [landscape.value(place) for place in self.places]
         self.size = max(abs(float(v.mid())) for v in self.values) or 1.0
+
+    def above(self, rotation: RelativeEquilibrium) -> list[arb]:
+        """Return V of each critical point above that of one of them [M L²/T²]."""
+        with own_precision(BITS):
+            here = self.values[self.landscape.number(rotation)]
+            return [value - here for value in self.values]
 
     def ends(self, n: int) -> list[int] | None:
         """Return the minima at the ends of paths down from a critical point; None if one is not found.
@@ -65,10 +72,17 @@ class Paths:
         place, level = self.places[n], self.values[n]
         if (t := self._first(place, u)) is None:
             return None
-        y = self.near[n] + t * u
-        trail = [[p + t * arb(float(c)) for p, c in zip(place, u)]]
+        return self._descend([p + t * arb(float(c)) for p, c in zip(place, u)], level)
+
+    def down(self, place: Sequence[arb], level: arb) -> int | None:
+        """Return the minimum at the end of a proved path from a place, below a level; None: not found."""
+        with own_precision(BITS):
+            return self._descend(place, level)
+
+    def _descend(self, place: Sequence[arb], level: arb) -> int | None:
+        y, trail = np.array([float(c.mid()) for c in place]), [place]
         below = float(level.mid()) - 1e-9 * self.size
-        rng = np.random.default_rng(n)
+        rng = np.random.default_rng(len(y))
         for _ in range(STEPS):
             y = y / np.linalg.norm(y)
             trail.append([arb(float(c)) for c in y])

@@ -2,125 +2,39 @@
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-from flint import arb
-from sympy import Expr, Poly, oo
+from sympy import oo
 
 from ..._cached import cached_property
-from ..._display import Shown
-from ..._lazy import loaded
 from ...algebra.enclosures.balls import ball
-from ...algebra.reals.exact import evaluate
 from ...errors import ScopeError
 from ...mechanics.families.circular_orbit import by_gradient_alone
 from ...mechanics.scenes.kind import Kind
-from ...mechanics.scenes.potential import DIRECTIONS
-from ...mechanics.scenes.principal_axes import principal_axes
-from ..relative_equilibrium import RelativeEquilibrium
+from .basin import Basin
+from .contained import contained
+from .damped import comes_back
+from .disturbances.kicks import about_the_nodes, below, keeps_its_level, kick_below, tilt_below
+from .disturbances.within import kick_within
+from .frame import Frame, frame_of
 from .in_balls import BITS
-from .kicks import about_the_nodes, below, kick_below, tilt_below
-from .merge_tree import Outcome
-from .tilts import TiltWell
-from .within import kick_within
+from .joining import Tree, tree
 
-if TYPE_CHECKING:
-    from .frame import Frame
-
-LEAVES = "a kick along k changes C1, and the well with it: ask for those across k, level=True"
-SPHERE = "a kick changes the momentum sphere of a free body, and the well with it: ask for its barrier"
+TILTS = "the tilt alone moves; ask for its barrier, or for an angle"
 
 
 @dataclass(frozen=True, repr=False)
-class Well(Shown):
+class Well(Basin):
     """The well of the energy round a relative equilibrium, on its level.
 
     A motion that starts inside, with less energy than the pass, stays inside for ever. On its level are the
     motions with the same C1 = M·k, of a free body with the same abs(M); of a satellite all motions.
-
-    Parameters
-    ----------
-    rotation : RelativeEquilibrium
-    points : sequence of RelativeEquilibrium
-        all of its level
-    heights : sequence of arb
-        V of each above that of the rotation, in balls [M L²/T²]
-    found : Outcome
-        what the well meets first
-    reason : str
-        why there is no barrier, or why it is only a bound; "" else
     """
 
-    rotation: RelativeEquilibrium
-    points: Sequence[RelativeEquilibrium] = ()
-    heights: Sequence[arb] = ()
-    found: Outcome = Outcome()
-    reason: str = ""
-    line: TiltWell | None = None
-
     @cached_property
-    def barrier(self) -> Expr | None:
-        """The height of the lowest equilibrium that the well touches, exact; None if there is no answer."""
-        if self.line is not None:
-            return self.line.barrier
-        return self._above(self.found.passes[0]) if self.found.passes else None
-
-    @cached_property
-    def escape(self) -> Expr | None:
-        """The least height from which another minimum is reached, exact; oo if there is none."""
-        if self.line is not None:
-            return self.line.escape
-        if self.found.escape is not None:
-            return self._above(self.found.escape)
-        return None if self.found.stopped is not None or not self.found.passes else oo
-
-    @property
-    def barrier_double(self) -> float | None:
-        """The barrier as a double, without the exact number being written out [M L²/T²]."""
-        if self.line is not None:
-            return None if self.line.barrier is None else float(self.line.barrier)
-        return float(self.heights[self.found.passes[0]].mid()) if self.found.passes else None
-
-    @property
-    def escape_double(self) -> float | None:
-        """The escape as a double; infinity if there is no other minimum [M L²/T²]."""
-        if self.line is not None:
-            return None if self.line.escape is None else float(self.line.escape)
-        if self.found.escape is not None:
-            return float(self.heights[self.found.escape].mid())
-        return None if self.escape is None else math.inf
-
-    @property
-    def bound(self) -> float | None:
-        """What the barrier is at least, if it is not known [M L²/T²]."""
-        stopped = self.found.stopped
-        return None if self.found.passes or stopped is None else float(self.heights[stopped].lower())
-
-    @property
-    def kind(self) -> str:
-        """Of the pass: "well", "round" (the well closes round a summit), "summit"; "" if there is none.
-
-        Of a body of revolution it may be a "shelf", an inflection.
-        """
-        if self.line is not None:
-            return self.line.passes[0].kind if self.line.passes else ""
-        return self.found.kind
-
-    @property
-    def passes(self) -> tuple[RelativeEquilibrium, ...]:
-        """The equilibria of the height of the barrier that the well touches."""
-        return tuple(self.points[n] for n in self.found.passes)
-
-    @property
-    def beyond(self) -> tuple[RelativeEquilibrium, ...]:
-        """The stable equilibria that are reached at the height of the escape."""
-        return tuple(self.points[n] for n in self.found.beyond)
-
-    @cached_property
-    def frame(self) -> "Frame":
+    def frame(self) -> Frame:
         """The well in the frame that turns with a rotation of a body in a field, which bounds every kick."""
-        found: Frame = loaded("equilibria.wells.frame:frame_of")(self.rotation)
-        return found
+        return frame_of(self.rotation)
 
     def kick(self, direction: Sequence[Any] | None = None, level: bool = False) -> float:
         """Return the impulse of a torque below which the motion stays in the well, rounded down.
@@ -157,10 +71,7 @@ class Well(Shown):
             return self.frame.kick(direction)
         if self.barrier_double is None:
             raise ScopeError(f"no kick is known to be small enough: {self.reason}")
-        if kind is Kind.FREE:
-            raise ScopeError(SPHERE)
-        if kind is not Kind.ORBIT and not level:
-            raise ScopeError(LEAVES)
+        keeps_its_level(self.rotation, level)
         if self.line is not None:
             return about_the_nodes(self.line, direction)
         return kick_below(self.rotation, self.heights[self.found.passes[0]], direction, kind is Kind.FIELD)
@@ -213,29 +124,42 @@ class Well(Shown):
                              "alone" + (f"; {self.reason}" if self.reason else ""))
         return tilt_below(self.rotation, self.heights[self.found.passes[0]])
 
+    def contains(self, state: Sequence[Any]) -> bool | None:
+        """Tell whether a motion that starts in a state is held in the well.
+
+        Asked is the next state of the level, as one of doubles is none of it exactly: directions are divided
+        by their lengths, and in a field π is moved along k.
+
+        Parameters
+        ----------
+        state : sequence of number or str
+            in the coordinates of the scene: π, and k, or n and r
+
+        Returns
+        -------
+        bool or None
+            False if its energy is that of the pass or more, or if it is in another well; None if a path down
+            from it is not proved
+
+        Raises
+        ------
+        ScopeError
+            there is no barrier, or it is that of a body of revolution
+        ValuesError
+            the state is none of the level
+        """
+        if self.paths is None or not self.found.passes:
+            raise ScopeError(f"no state is known to be inside: {TILTS if self.line else self.reason}")
+        return contained(self.rotation, self.paths, self.paths.values[self.found.passes[0]], state)
+
+    @cached_property
+    def tree(self) -> Tree:
+        """How all wells of its level become one; empty for a body of revolution, whose tilt alone moves."""
+        if self.paths is None:
+            return Tree((), TILTS if self.line else self.reason)
+        return tree(self.rotation, self.paths, self.value)
+
     @cached_property
     def damped(self) -> bool | None:
-        """Whether every motion inside comes back under internal damping; None if that is not known.
-
-        It is, by LaSalle's theorem, if no motion with a constant rate in the body but the equilibria is
-        possible: in a uniform field, in an orbit with three different moments and no other torque, and of a
-        free body about its axis of least energy. A maximum of the energy is left.
-        """
-        scene = self.rotation.scene
-        if not self.found.passes:
-            return None
-        if scene.kind is Kind.FREE:
-            return self.rotation.form.index == 0
-        if scene.kind is Kind.ORBIT:
-            distinct = len({*principal_axes(scene.body)[0].moments}) == 3
-            return True if distinct and by_gradient_alone(scene) else None
-        assert scene.potential is not None
-        return True if Poly(scene.potential.expression, *DIRECTIONS).total_degree() == 1 else None
-
-    def value(self, e: RelativeEquilibrium) -> Expr:
-        """Return V at an equilibrium: the energy, round a maximum its negative [M L²/T²]."""
-        turned = self.rotation.scene.kind is Kind.FREE and self.rotation.form.index != 0
-        return -e.energy if turned else e.energy
-
-    def _above(self, n: int) -> Expr:
-        return evaluate(self.value(self.points[n]) - self.value(self.rotation), {})
+        """Whether every motion inside comes back under internal damping; None if that is not known."""
+        return comes_back(self.rotation) if self.found.passes else None

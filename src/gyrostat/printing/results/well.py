@@ -4,8 +4,8 @@ from decimal import ROUND_FLOOR, Context
 from typing import Any
 
 from ...equilibria.relative_equilibrium import RelativeEquilibrium
+from ...equilibria.well_columns import weakest_kick, weakest_tilt
 from ...equilibria.wells.well import Well
-from ...mechanics.families.circular_orbit import by_gradient_alone
 from ...mechanics.scenes.kind import Kind
 from ..blocks import Block, sentence
 
@@ -15,38 +15,50 @@ BEHIND = {"well": "behind which lies another stable equilibrium",
 SHORT = Context(prec=6, rounding=ROUND_FLOOR)
 
 
-def well_blocks(well: Well, units: bool) -> list[Block]:
-    """Write what there is of a well, to six digits; a kick and a bound are rounded down."""
+def well_blocks(well: Well | str, units: bool) -> list[Block]:
+    """Write the sentences about a well."""
+    return [sentence(said) for said in well_sentences(well, units)]
+
+
+def well_sentences(well: Well | str, units: bool) -> list[str]:
+    """Say what there is of a well, to six digits; a kick and a bound are rounded down.
+
+    In place of a well there may be the reason why there is none.
+    """
+    if isinstance(well, str):
+        return [f"Well: {well}."]
     barrier, joule, impulse = well.barrier_double, " J" if units else "", " N m s" if units else ""
     if barrier is None:
         least = "" if well.bound is None else f", and its barrier is at least {_short(well.bound)}{joule}"
-        return [sentence(line) for line in [f"Well: {well.reason}{least}.", *_in_its_frame(well, impulse)]]
+        return [f"Well: {well.reason}{least}.", *_in_its_frame(well, impulse)]
     if math.isinf(barrier):
-        return [sentence(f"Well: {well.reason}.")]
+        return [f"Well: {well.reason}."]
     pass_ = f" at {_where(well.passes[0])}" if well.passes else ""
     said = [f"Well: {barrier:.6g}{joule} up to the pass{pass_}, {BEHIND[well.kind]}."]
     escape = well.escape_double
     if escape is not None and not math.isinf(escape) and escape > barrier:
         said.append(f"Another stable equilibrium is reached from {escape:.6g}{joule} on.")
-    if (kick := _kick(well)) is not None:
+    if (kick := weakest_kick(well)) is not None:
         said.append(f"A kick of less than {_short(kick)}{impulse}, {_which(well)}, does not take it out.")
-    if (angle := _tilt(well)) is not None:
+    if (angle := weakest_tilt(well)) is not None:
         said.append(f"Turned by less than {_short(angle)}° about whatever axis, and let go at rest in the "
                     "orbit, it stays too.")
     if well.damped:
         said.append("Under internal damping every motion inside comes back.")
-    said += _in_its_frame(well, impulse)
-    return [sentence(line) for line in said]
+    return said + _in_its_frame(well, impulse)
 
 
-def well_data(well: Well) -> dict[str, Any]:
+def well_data(well: Well | str) -> dict[str, Any]:
     """The same as data for JSON; null for what is not known, or is infinite."""
-    barrier, kick = well.barrier_double, _kick(well)
+    if isinstance(well, str):
+        return {**dict.fromkeys(("barrier", "escape", "at_least", "kick", "any_kick", "tilt", "damped")),
+                "kind": "", "held_at_every_energy": False, "passes": [], "beyond": [], "reason": well}
+    barrier, kick = well.barrier_double, weakest_kick(well)
     return {"barrier": _finite(barrier), "escape": _finite(well.escape_double), "kind": well.kind,
             "held_at_every_energy": barrier == math.inf, "at_least": well.bound,
             "passes": [e.doubles.place for e in well.passes],
             "beyond": [e.doubles.place for e in well.beyond],
-            "kick": _finite(kick), "any_kick": _any_kick(well), "tilt": _tilt(well),
+            "kick": _finite(kick), "any_kick": _any_kick(well), "tilt": weakest_tilt(well),
             "damped": well.damped, "reason": well.reason}
 
 
@@ -55,12 +67,6 @@ def _which(well: Well) -> str:
     if well.line is not None:
         return "across its axis, about the line of nodes"
     return "in whatever direction" + (" across k" if well.rotation.scene.kind is Kind.FIELD else "")
-
-
-def _kick(well: Well) -> float | None:
-    kind = well.rotation.scene.kind
-    known = well.barrier_double is not None and kind is not Kind.FREE
-    return well.kick(level=kind is not Kind.ORBIT) if known else None
 
 
 def _any_kick(well: Well) -> float | None:
@@ -73,11 +79,6 @@ def _in_its_frame(well: Well, unit: str) -> list[str]:
         return []
     return [f"Any kick of less than {_short(kick)}{unit} keeps k over its well in the frame that turns with "
             "it, inside which there may be other places to rest."]
-
-
-def _tilt(well: Well) -> float | None:
-    known = well.barrier_double is not None and by_gradient_alone(well.rotation.scene)
-    return well.tilt() if known else None
 
 
 def _where(found: RelativeEquilibrium) -> str:

@@ -2,6 +2,7 @@
 from collections.abc import Sequence
 from decimal import ROUND_HALF_EVEN, Decimal
 
+from ..._lazy import loaded
 from ...printing.formats.latex_names import Paper
 from ...printing.formats.latex_rows import longtable
 from ...printing.formats.text_tables import Column
@@ -16,8 +17,12 @@ FREQUENCIES = "f: frequencies of the small motions"
 DOUBLING = "T: time in which a small deviation doubles."
 
 
-def answer_latex(answers: Sequence[Answer | Missing], paper: Paper, with_units: bool) -> str:
-    """Return a document, or a fragment, with the table; what is not answered is said below it."""
+def answer_latex(answers: Sequence[Answer | Missing], paper: Paper, with_units: bool,
+                 wells: bool = False) -> str:
+    """Return a document, or a fragment, with the table; what is not answered is said below it.
+
+    wells says below the row of each stable equilibrium how far it is stable.
+    """
     note, bare = note_once(answers)
     found = [a for a in bare if isinstance(a, Answer)]
     missing = [f"{m.label}: {m.why}." for m in bare if isinstance(m, Missing)]
@@ -27,8 +32,17 @@ def answer_latex(answers: Sequence[Answer | Missing], paper: Paper, with_units: 
         orbital = found[0].found is not None and found[0].found.attitude is not None
         said += [f"{FREQUENCIES}, {'per orbit' if orbital else 'in rad per unit of time'}. {DOUBLING}"]
     columns = [*place_columns(found, with_units), *rates, *verdict_columns(found)] if found else []
-    return longtable(counted(found) if found else "", columns, notes_of(found),
+    below = [". ".join(filter(None, (note, " ".join(_of_well(a, wells, with_units)))))
+             for a, note in zip(found, notes_of(found))]
+    return longtable(counted(found) if found else "", columns, below,
                      [*said, *missing, *([note] if note else [])], paper)
+
+
+def _of_well(answer: Answer, asked: bool, with_units: bool) -> list[str]:
+    """The sentences about the well of a stable equilibrium, if they are asked for."""
+    said: list[str] = loaded("printing.results.well:well_sentences")(answer.well, with_units) if (
+        asked and answer.decision.stable) else []
+    return said
 
 
 def _rate_columns(answers: Sequence[Answer], with_units: bool) -> list[Column]:

@@ -50,9 +50,8 @@ def _data(answer: Answer) -> dict[str, Any]:
 
 
 def _well(answer: Answer) -> dict[str, Any]:
-    """The well of what was found at a point; null for another answer."""
-    found = answer.at_point
-    return {"well": None if found is None else loaded("printing.results.well:well_data")(found.well)}
+    """The well, or why there is none."""
+    return {"well": loaded("printing.results.well:well_data")(answer.well)}
 
 
 def _rates(found: RelativeEquilibrium | None) -> dict[str, Any]:

@@ -1,7 +1,7 @@
 """Answers decide: for the equilibrium that is named, or for all that the numbers allow."""
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from sympy import Expr
 
@@ -9,7 +9,8 @@ from ..._lazy import loaded
 from ...algebra.reals.exact import sign_of_constant
 from ...equilibria.relative_equilibrium import RelativeEquilibrium
 from ...equilibria.search import relative_equilibria
-from ...errors import ScopeError, ValuesError
+from ...errors import GyrostatError, ScopeError, ValuesError
+from ...mechanics.equilibrium.equilibrium import Equilibrium
 from ...mechanics.families.named_families import E3, EARTH_POINTING, POLES
 from ...mechanics.scenes.kind import Kind
 from ...mechanics.scenes.system import System, at_numbers, names_of_scene
@@ -36,6 +37,7 @@ if TYPE_CHECKING:
     from ...stability.normal_forms.d4_along_family import Window
     from ...stability.normal_forms.normal_form import NormalForm
 
+SPREAD = "no well is found of equilibria that take every value of a tilt or of a rate"
 # with these numbers of the motion all are found
 MOTION = ({"omega"}, {"k3"}, {"pi3_0", "C1"}, {"k3", "pi3_0"})
 
@@ -45,7 +47,8 @@ class Answer:
     """One equilibrium with its decisions; if it was found, with its place and its rates.
 
     damped is None if it is no equilibrium under internal damping; itself is about the point, if the decision
-    is modulo a flow; listed says whether it is one of all that were found, so that its place tells which.
+    is modulo a flow; listed says whether it is one of all that were found, so that its place tells
+    which; claimed is one that was named, with its numbers.
     """
 
     label: str
@@ -55,6 +58,7 @@ class Answer:
     itself: Decision | None
     found: RelativeEquilibrium | None = None
     listed: bool = False
+    claimed: tuple[Equilibrium, Mapping[str, Expr]] | None = None
 
     @property
     def placed(self) -> Sequence[tuple[Sequence[str], Sequence[Expr | None]]]:
@@ -71,6 +75,16 @@ class Answer:
         """What was found, unless the place takes every value: the frequencies change along it."""
         described = self.found.form.described if self.found is not None and self.listed else ()
         return None if any(value is None for _, value in described) else self.found
+
+    @property
+    def well(self) -> Any:
+        """The well of what was found, or of what was named, in its list; or why there is none."""
+        try:
+            found = self.at_point or (self.claimed and loaded("equilibria.in_its_list:in_its_list")(
+                *self.claimed))
+        except GyrostatError as error:
+            return str(error)
+        return SPREAD if found is None else found.well
 
     @property
     def rates(self) -> dict[str, Expr]:
@@ -202,7 +216,8 @@ def _answer(asked: Asked, label: str, numbers: Mapping[str, Expr]) -> Answer:
 def _decided(report: Report, numbers: Mapping[str, Expr]) -> Answer:
     decision, damped = both_verdicts(report, numbers)
     return Answer(report.equilibrium.label, report.equilibrium.at, decision, damped,
-                  report.itself(numbers) if decision.modulo else None, _librations(report, numbers))
+                  report.itself(numbers) if decision.modulo else None, _librations(report, numbers),
+                  claimed=(report.equilibrium, numbers))
 
 
 def _librations(report: Report, numbers: Mapping[str, Expr]) -> RelativeEquilibrium | None:

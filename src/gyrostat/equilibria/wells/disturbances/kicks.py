@@ -6,17 +6,28 @@ from typing import Any
 from flint import arb
 from sympy import Matrix, oo
 
-from ...algebra.enclosures.balls import ball
-from ...algebra.enclosures.precision import own_precision
-from ...algebra.reals.exact import evaluate, sign_of_constant
-from ...algebra.text.numbers import exact_expression
-from ...errors import ScopeError, ValuesError
-from ...mechanics.scenes.principal_axes import principal_axes
-from ..relative_equilibrium import RelativeEquilibrium
-from .in_balls import BITS, form, in_balls, rows_in_balls
-from .tilts import TiltWell
+from ....algebra.enclosures.balls import ball
+from ....algebra.enclosures.precision import own_precision
+from ....algebra.reals.exact import evaluate, sign_of_constant
+from ....algebra.text.numbers import exact_expression
+from ....errors import ScopeError, ValuesError
+from ....mechanics.scenes.kind import Kind
+from ....mechanics.scenes.principal_axes import principal_axes
+from ...relative_equilibrium import RelativeEquilibrium
+from ..in_balls import BITS, form, in_balls, rows_in_balls
+from ..tilts import TiltWell
 
+LEAVES = "a kick along k changes C1, and the well with it: ask for those across k, level=True"
+SPHERE = "a kick changes the momentum sphere of a free body, and the well with it: ask for its barrier"
 Matrix3 = list[list[arb]]
+
+
+def keeps_its_level(rotation: RelativeEquilibrium, level: bool) -> None:
+    """Refuse kicks that change the level, where a well is one of a level."""
+    if rotation.scene.kind is Kind.FREE:
+        raise ScopeError(SPHERE)
+    if rotation.scene.kind is not Kind.ORBIT and not level:
+        raise ScopeError(LEAVES)
 
 
 def kick_below(rotation: RelativeEquilibrium, barrier: arb, direction: Sequence[Any] | None, across: bool

@@ -6,17 +6,17 @@ from typing import Any
 from flint import arb
 from sympy import Expr, Poly, PolynomialError, pi
 
-from ...algebra.enclosures.balls import ball
-from ...algebra.enclosures.precision import own_precision
-from ...algebra.text.numbers import exact_expression
-from ...algebra.text.quantities import has_unit, quantity, text_of
-from ...algebra.text.units import ANGLE
-from ...errors import ScopeError, ValuesError
-from ...mechanics.scenes.kind import Kind
-from ...mechanics.scenes.potential import DIRECTIONS
-from ..relative_equilibrium import RelativeEquilibrium
+from ....algebra.enclosures.balls import ball
+from ....algebra.enclosures.precision import own_precision
+from ....algebra.text.numbers import exact_expression
+from ....algebra.text.quantities import has_unit, quantity, text_of
+from ....algebra.text.units import ANGLE
+from ....errors import ScopeError, ValuesError
+from ....mechanics.scenes.kind import Kind
+from ....mechanics.scenes.potential import DIRECTIONS
+from ...relative_equilibrium import RelativeEquilibrium
+from ..in_balls import BITS, dot, form, in_balls, rows_in_balls
 from .circles import Circle, least
-from .in_balls import BITS, dot, form, in_balls, rows_in_balls
 from .kicks import any_kick_below, kick_below
 
 ANGLES = 24                                            # of circles that are tried

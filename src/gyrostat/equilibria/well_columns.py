@@ -1,0 +1,37 @@
+"""The well of a relative equilibrium as columns of a table, with its weakest kick and tilt."""
+from typing import Any
+
+from ..mechanics.families.circular_orbit import by_gradient_alone
+from ..mechanics.scenes.kind import Kind
+from .wells.well import Well
+
+
+def well_columns(well: Well) -> dict[str, Any]:
+    """Return what is known of a well; infinite is what has no pass, and None what is not known."""
+    return {"barrier": well.barrier_double, "barrier_at_least": well.bound, "escape": well.escape_double,
+            "pass_kind": well.kind or None, "passes": len(well.passes) or None, **_place(well),
+            "kick": weakest_kick(well), "tilt_deg": weakest_tilt(well), "well_damped": well.damped,
+            "well_reason": well.reason}
+
+
+def weakest_kick(well: Well) -> float | None:
+    """Return the kick below which it stays whatever the direction, in a field across k; None if unknown."""
+    kind = well.rotation.scene.kind
+    known = well.barrier_double is not None and kind is not Kind.FREE
+    return well.kick(level=kind is not Kind.ORBIT) if known else None
+
+
+def weakest_tilt(well: Well) -> float | None:
+    """Return the angle by which a satellite at rest may be turned about any axis [°]; None of others."""
+    known = well.barrier_double is not None and by_gradient_alone(well.rotation.scene)
+    return well.tilt() if known else None
+
+
+def _place(well: Well) -> dict[str, Any]:
+    """Where the first pass is, by the names of its own columns."""
+    if not well.passes:
+        return {}
+    first = well.passes[0]
+    angles = {} if first.attitude is None else {
+        name: x for name, x in first.attitude.columns.items() if name.endswith("_deg")}
+    return {f"pass_{name}": x for name, x in (angles | first.doubles.place).items()}
