@@ -32,6 +32,7 @@ def test_numbers_that_another_program_has_found(values, barrier, kick):
     each = [well.kick([int(n == m) for m in range(3)]) for n in range(3)]
     assert each == pytest.approx([math.sqrt(2 * barrier * I) for I in (1, 2, 3)], rel=1e-14)
     assert all(e.rates["omega"] == well.rotation.rates["omega"] for e in well.frame.points)
+    assert "up to the pass at k = (" in str(well.frame) and f"less than {kick:.6}"[:-1] in str(well.frame)
     with pytest.raises(ValuesError, match="direction"):
         well.kick((0, 0, 0))
 
@@ -132,6 +133,6 @@ def test_what_has_none_says_why():
     oblique = gs.assemble(gs.Gyrostat([[3, 1, 0], [1, 3, 0], [0, 0, 5]], ("1/5", "1/5", "1/3")),
                           gs.general_potential("k1 + k2 + k3/2"))
     held = next(e for e in gs.relative_equilibria(oblique, {"C1": "1/2"}) if e.form.index == 0)
-    assert held.well.barrier_double > 0 and "plane of symmetry" in held.well.frame.reason
+    assert held.well.barrier_double > 0 and "plane of" in str(held.well.frame)
     craft = gs.assemble(gs.Gyrostat((60, 70, 35), (0, 0, 0)), gs.circular_orbit(1))
     assert "permanent rotation" in gs.relative_equilibria(craft, {})[0].well.frame.reason

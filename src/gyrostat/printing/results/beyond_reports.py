@@ -17,6 +17,7 @@ from ...equilibria.curves.amended_potential import AmendedPotential, CriticalPoi
 from ...equilibria.curves.arc import Arc
 from ...equilibria.curves.staude import StaudeCone
 from ...equilibria.relative_equilibrium import RelativeEquilibrium
+from ...equilibria.wells.frame import Frame
 from ...equilibria.wells.well import Well
 from ...mechanics.equilibrium.reduction import Reduction
 from ...notation import symbol
@@ -41,7 +42,7 @@ from .drift import drift_displays
 from .inequalities import existence
 from .normal_form import form_blocks, window_blocks
 from .staude import arc_blocks, cone_blocks
-from .well import well_blocks
+from .well import frame_blocks, well_blocks
 from .wheel_speeds import speeds_blocks
 
 # operations under a root, more of which are given a name
@@ -214,7 +215,7 @@ _OF_TYPE: dict[type, Callable[[Any], list[Block]]] = {
     RelativeEquilibrium: relative_equilibrium, AmendedPotential: amended_potential,
     CriticalPoint: critical_point, NormalForm: form_blocks, StaudeCone: cone_blocks, Arc: arc_blocks,
     Drift: drift_displays, Window: window_blocks, WheelSpeeds: speeds_blocks,
-    Well: lambda well: well_blocks(well, units=False)}
+    Well: lambda well: well_blocks(well, units=False), Frame: frame_blocks}
 for _type, _blocks in _OF_TYPE.items():
     result_blocks.register(_type, _blocks)
 

@@ -5,6 +5,7 @@ from typing import Any
 
 from ...equilibria.relative_equilibrium import RelativeEquilibrium
 from ...equilibria.well_columns import weakest_kick, weakest_tilt
+from ...equilibria.wells.frame import Frame
 from ...equilibria.wells.well import Well
 from ...mechanics.scenes.kind import Kind
 from ..blocks import Block, sentence
@@ -18,6 +19,14 @@ SHORT = Context(prec=6, rounding=ROUND_FLOOR)
 def well_blocks(well: Well | str, units: bool) -> list[Block]:
     """Write the sentences about a well."""
     return [sentence(said) for said in well_sentences(well, units)]
+
+
+def frame_blocks(frame: Frame) -> list[Block]:
+    """Write the sentences about the well in the frame of a rotation."""
+    if frame.barrier_double is None:
+        return [sentence(f"Well in its frame: {frame.reason}.")]
+    return [sentence(f"Well in its frame: {frame.barrier_double:.6g} up to the pass at "
+                     f"{_where(frame.passes[0])}."), *map(sentence, _over_it(frame.kick(), ""))]
 
 
 def well_sentences(well: Well | str, units: bool) -> list[str]:
@@ -77,6 +86,10 @@ def _in_its_frame(well: Well, unit: str) -> list[str]:
     """What holds for kicks that change C1; it promises less, for other places to rest may lie inside."""
     if (kick := _any_kick(well)) is None:
         return []
+    return _over_it(kick, unit)
+
+
+def _over_it(kick: float, unit: str) -> list[str]:
     return [f"Any kick of less than {_short(kick)}{unit} keeps k over its well in the frame that turns with "
             "it, inside which there may be other places to rest."]
 
