@@ -20,6 +20,11 @@ def well_blocks(well: Well | str, units: bool) -> list[Block]:
     return [sentence(said) for said in well_sentences(well, units)]
 
 
+def blocks_without_units(well: Well) -> list[Block]:
+    """Write the same where it is not known whether the numbers are those of SI."""
+    return well_blocks(well, units=False)
+
+
 def well_sentences(well: Well | str, units: bool) -> list[str]:
     """Say what there is of a well, to six digits; a kick and a bound are rounded down.
 
