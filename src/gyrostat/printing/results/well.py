@@ -29,6 +29,11 @@ def frame_blocks(frame: Frame) -> list[Block]:
                      f"{_where(frame.passes[0])}."), *map(sentence, _over_it(frame.kick(), ""))]
 
 
+def blocks_without_units(well: Well) -> list[Block]:
+    """Write the same where it is not known whether the numbers are those of SI."""
+    return well_blocks(well, units=False)
+
+
 def well_sentences(well: Well | str, units: bool) -> list[str]:
     """Say what there is of a well, to six digits; a kick and a bound are rounded down.
 
