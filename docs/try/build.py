@@ -6,7 +6,6 @@ listed with its hash in TARGET/files.json.
 import hashlib
 import json
 import lzma
-import re
 import shutil
 import subprocess
 import sys
@@ -16,7 +15,6 @@ import tomllib
 import zipfile
 from base64 import b64encode
 from pathlib import Path
-from posixpath import dirname, join, normpath
 from typing import Any
 
 from licences import shipped
@@ -26,11 +24,6 @@ from trimmed import FIRST, lazy, named
 HERE = Path(__file__).parent
 MODULES = ("session.py", "examples.json")
 LOADER = "pyodide.asm.mjs"
-SCRIPTS = ("app", "views", "numerics")
-# whole lines, and the ends of lines
-COMMENTS = re.compile(r"^[ \t]*(?://.*|/\*\*(?:(?!\*/)[\s\S])*\*/[ \t]*)\n|"
-                      r"[ \t]{2,}// [^\"'`\n]*$", re.MULTILINE)
-IMPORT = re.compile(r'^import\b[^;"]*"(\.[^"]+)";', re.MULTILINE)
 LIST, SERVICE = "files.json", "sw.js"
 
 
@@ -56,7 +49,7 @@ def fetched(name: str, source: dict[str, Any], folder: Path) -> Path:
 
 def unpacked(files: dict[str, Path], stage: Path) -> None:
     """The interpreter, KaTeX, and one folder of packages, the library and what asks it among them."""
-    for name in ("pyodide", "katex", "xz", "binaryen"):
+    for name in ("pyodide", "katex", "xz", "binaryen", "esbuild"):
         with tarfile.open(files[name]) as archive:
             archive.extractall(stage / name, filter="data")
     run(sys.executable, "-m", "pip", "wheel", "--quiet", "--no-deps", "--wheel-dir", stage / "wheel",
@@ -119,32 +112,8 @@ def module(script: str) -> str:
     return found
 
 
-def without_comments(script: str) -> str:
-    """A script without its comments, which nobody needs to fetch, but those with quotes behind code."""
-    return COMMENTS.sub("", script)
-
-
-def needed(folder: Path, script: str) -> list[str]:
-    """The modules that a module imports, and those that they import, by their paths in a folder."""
-    found = [script]
-    for name in found:                                 # which grows
-        text = without_comments((folder / name).read_text(encoding="utf-8"))
-        paths = (normpath(join(dirname(name), address)) for address in IMPORT.findall(text))
-        found += [path for path in dict.fromkeys(paths) if path not in found]
-    return found
-
-
-def preloading(page: str, scripts: list[str]) -> str:
-    """The page, which asks for its modules at once, and not for each when another one names it."""
-    links = "".join(f'<link rel="modulepreload" href="{script}">\n' for script in scripts)
-    first = '<script id="formulas"'
-    if page.count(first) != 1:
-        sys.exit("index.html has another first script than expected")
-    return page.replace(first, links + first)
-
-
 def built(target: Path, stage: Path) -> None:
-    """Fetch, compile, copy, list."""
+    """Fetch, compile, bundle, copy, list."""
     sources = tomllib.loads((HERE / "sources.toml").read_text(encoding="utf-8"))
     (stage / "fetched").mkdir()
     unpacked({name: fetched(name, source, stage / "fetched") for name, source in sources.items()}, stage)
@@ -165,15 +134,9 @@ def built(target: Path, stage: Path) -> None:
     for folder in ("prepared", "pictures"):
         shutil.copytree(stage / folder, target / folder)
     shutil.copy(stage / "examples.json", target)
-    for folder in SCRIPTS:
-        (target / folder).mkdir()
-        for path in (HERE / folder).glob("*.js"):
-            (target / folder / path.name).write_text(without_comments(path.read_text(encoding="utf-8")),
-                                                     encoding="utf-8")
-    for path in HERE.glob("*.css"):
+    run("node", HERE / "bundle.mjs", stage, target)
+    for path in (HERE / "index.html", *HERE.glob("*.css")):
         shutil.copy(path, target)
-    page = (HERE / "index.html").read_text(encoding="utf-8")
-    (target / "index.html").write_text(preloading(page, needed(HERE, "app/main.js")), encoding="utf-8")
     print(f"try: {listed(target)}")
 
 
@@ -184,7 +147,7 @@ def listed(target: Path) -> str:
     files = {path.relative_to(target).as_posix(): _listed(path)
              for path in sorted(target.rglob("*")) if path.is_file()}
     (target / LIST).write_text(json.dumps(files, indent=1), encoding="utf-8")
-    worker = without_comments((HERE / SERVICE).read_text(encoding="utf-8"))
+    worker = (HERE / SERVICE).read_text(encoding="utf-8")
     version = str(_listed(target / LIST)["integrity"])
     (target / SERVICE).write_text(worker.replace("{version}", version), encoding="utf-8")
     return f"{len(files)} files, {sum(int(entry['bytes']) for entry in files.values()) / 1e6:.1f} MB"

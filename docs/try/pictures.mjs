@@ -3,6 +3,7 @@
 import { crc32, deflateSync } from "node:zlib";
 import { number } from "./app/numbers.js";
 import { Regions } from "./numerics/regions.js";
+import { fitted } from "./views/scales.js";
 
 const SIZE = 64;                                        // pixels
 // in the order of the codes of regions.js; readable on white and on black
@@ -36,14 +37,17 @@ export function png(codes, size) {
     chunk("IEND", Buffer.alloc(0))]);
 }
 
-/** From where to where an axis goes: the number of the example is in the middle. @param {number} value */
-const ends = (value) => value ? [Math.min(0, 2 * value), Math.max(0, 2 * value)] : [-2, 2];
-
-/** @param {any} chart @param {string[]} axes @param {Record<string, string>} values */
-function charted(chart, axes, values) {
+/**
+ * The chart as the page shows it first.
+ * @param {any} chart
+ * @param {string[]} axes
+ * @param {Record<string, string>} values
+ * @param {import("./views/scales.js").Name[]} names
+ */
+function charted(chart, axes, values, names) {
   const numbers = Object.fromEntries(Object.entries(values).map(([name, text]) => [name, number(name, text)]));
-  const regions = new Regions(chart, axes, SIZE);
-  return png(regions.drawn(numbers, /** @type {any} */ (axes.map((name) => ends(numbers[name])))), SIZE);
+  const regions = new Regions(chart, axes, SIZE), scales = fitted(new Map(), names, (name) => numbers[name]);
+  return png(regions.drawn(numbers, /** @type {any} */ (axes.map((name) => scales.get(name)?.ends))), SIZE);
 }
 
 /** @param {(keyof typeof DOTS)[]} verdicts */
@@ -59,7 +63,7 @@ function dotted(verdicts) {
  * @param {import("./app/prepared.js").Prepared} found
  * @returns {["png" | "svg", Buffer]}
  */
-export function pictured({ charted: chart, decided: { question, answer } }) {
-  if (chart?.answer.steps) return ["png", charted(chart.answer, chart.question.axes, question.values)];
+export function pictured({ analysed, charted: chart, decided: { question, answer } }) {
+  if (chart?.answer.steps) return ["png", charted(chart.answer, chart.question.axes, question.values, analysed.answer.names)];
   return ["svg", dotted((answer.found ?? [answer]).map((/** @type {any} */ { verdict }) => verdict))];
 }

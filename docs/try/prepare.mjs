@@ -4,8 +4,9 @@ import { Answers } from "./app/answers.js";
 import { possible } from "./app/numbers.js";
 import { nothing, scene, taken } from "./app/scene.js";
 import { questions } from "./app/state.js";
+import { paired } from "./views/axes.js";
 
-const KINDS = ["analysed", "decided", "opened", "charted", "moving"];
+const KINDS = ["analysed", "decided", "opened", "survived", "charted", "moving"];
 const ROUNDS = 4;                                       // as far as an answer leads to another question
 
 /**
@@ -21,7 +22,7 @@ export async function prepared(example, answer) {
       : answer({ want, scene: question, more: [] })]));
   const answers = new Answers(ask, () => {}, { analysed: ({ equilibria, chosen, axes }) => {
     if (equilibria) asked.equilibrium = chosen;
-    if (axes) asked.axes = [axes.at(-2) ?? axes.at(-1), axes.at(-1)];      // those that a chart begins with
+    if (axes) asked.axes = paired(axes, asked.axes);
     return scene(asked);
   } });
   for (let round = 0; round < ROUNDS; round++) {

@@ -3,18 +3,25 @@
 Collected if GYROSTAT_SITE names the folder in which .ci/site built the site; the page is its folder try.
 """
 import os
+from pathlib import Path
 
 SITE = os.environ.get("GYROSTAT_SITE")
 if not SITE:
     collect_ignore_glob = ["*"]
 else:
+    import build
     import pytest
     from bench_page import CHROMIUM, NO_OTHER_HOST, profile, served
     from playwright.sync_api import sync_playwright
 
     @pytest.fixture(scope="session")
-    def site():
-        with served(SITE) as place:
+    def site(tmp_path_factory):
+        """The site as it was built, and beside it the sources of the page, for tests of one script."""
+        folder = tmp_path_factory.mktemp("site")
+        for path in Path(SITE).resolve().iterdir():
+            (folder / path.name).symlink_to(path)
+        (folder / "sources").symlink_to(Path(build.__file__).resolve().parent)
+        with served(folder) as place:
             yield place.removesuffix("/index.html")
 
     @pytest.fixture(scope="session")

@@ -35,7 +35,7 @@ def latex(page, place):
 def slid(page, name, number):
     """A slider is moved to the step that is nearest to a number."""
     page.evaluate("""async ([name, number]) => {
-        const { stepOf } = await import("./views/scales.js");
+        const { stepOf } = await import("/sources/views/scales.js");
         const row = document.getElementById(`value-${name}`).closest(".value");
         const slider = row.querySelector("[type=range]"), { low, high } = row.dataset;
         slider.value = stepOf([Number(low), Number(high)], number);
@@ -47,7 +47,7 @@ def slid(page, name, number):
 def at(page, across, upwards):
     """Where numbers of the two axes are on the chart, in pixels from its corner."""
     x, y = page.evaluate("""async (point) => {
-        const { placed } = await import("./views/plot.js");
+        const { placed } = await import("/sources/views/plot.js");
         const ends = ["across", "upwards"].map((id) => document.getElementById(id).value).map((name) => {
             const { low, high } = document.getElementById(`value-${name}`).closest(".value").dataset;
             return [Number(low), Number(high)];
@@ -63,7 +63,7 @@ def cells(page):
     A pixel of the screen is of the region in which its centre is; "" if that is too near to another one.
     """
     page.evaluate("""async () => {
-        const { frame } = await import("./views/plot.js");
+        const { frame } = await import("/sources/views/plot.js");
         window.cells = (places) => {
             const canvas = document.getElementById("chart"), sharp = devicePixelRatio;
             const { left, top, side } = frame(canvas.clientWidth), { width, height } = canvas;

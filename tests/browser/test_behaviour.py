@@ -36,7 +36,7 @@ def test_hostile_links_go_through_the_same_gate(page, context):
     for text in TEXTS:
         _followed(page, text)
         assert "internal error" not in shown(page)[1], text
-    assert page.evaluate("document.scripts.length") == 3 and context.errors[errors:] == []
+    assert page.evaluate("document.scripts.length") == 2 and context.errors[errors:] == []
     assert picked(page, 1)[1] == ""
 
 
@@ -71,9 +71,9 @@ def test_a_link_has_the_newest_numbers_however_fast_they_change(page):
 
 def test_nothing_is_asked_of_another_host(started, context, address):
     """All that page and thread load comes from where it is served; the browser knows no other host."""
-    host = address.removesuffix("index.html")
+    host = address.removesuffix("try/index.html")
     asked = {url.split("?")[0] for url in context.asked if not url.startswith(("data:", "blob:"))}
-    assert {f"{host}{name}" for name in ("app/worker.js", "runtime/pyodide.mjs", "files.json")} <= asked
+    assert {f"{host}try/{name}" for name in ("app/worker.js", "runtime/pyodide.mjs", "files.json")} <= asked
     assert all(url.startswith(host) for url in asked), asked
 
 

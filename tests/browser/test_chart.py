@@ -30,7 +30,7 @@ DRAWN = """places => {
 
 
 BOUNDS = """async (questions) => {
-    const { Rows } = await import("./numerics/programs.js");
+    const { Rows } = await import("/sources/numerics/programs.js");
     return questions.map(([steps, numbers]) => {
         const rows = new Rows(steps, [], 1);
         rows.begin(numbers, 0);
@@ -50,7 +50,7 @@ def report_of(number):
 def test_a_number_with_a_unit_is_one_of_its_name(page):
     """What the library said of a rate in rpm is nothing for a moment of inertia."""
     assert page.evaluate("""async () => {
-        const { heard, number } = await import("./app/numbers.js");
+        const { heard, number } = await import("/sources/app/numbers.js");
         heard({ omega: "3.5 rpm" }, { omega: 0.25 });
         return [["omega", "3.5 rpm"], ["I1", "3.5 rpm"], ["I1", "1/4"], ["I1", "0x10"]].map(
             ([name, text]) => String(number(name, text)));
@@ -191,10 +191,16 @@ def test_two_axes_differ(page, context):
 
 
 def test_a_chart_over_one_number_is_none(page):
-    """It says which number alone a verdict needs."""
+    """It says which number alone a verdict needs, and offers no axes until there are two again."""
     picked(page, 5)
+    assert page.is_visible("#across")
     typed(page, "inertia", "1, 2, 5/2")
     page.wait_for_selector("#no-chart:has-text('a verdict here needs omega2_0 alone')")
+    assert page.is_hidden("#across") and page.is_hidden("#upwards")
+    picked(page, 10)
+    assert page.is_hidden("#across") and page.is_hidden("#upwards")
+    picked(page, 0)
+    assert page.is_visible("#across") and page.is_visible("#upwards")
 
 
 def test_pictures_take_numbers_as_the_library_does(page):

@@ -20,7 +20,7 @@ OF_PYTHON = ("runtime/", "app/worker.js", "files.json")  # missed before Python 
 SAID = {"katex/katex.min.js": "katex.min.js could not be loaded", "try.css": "try.css could not be loaded",
         "katex/katex.min.css": "katex.min.css could not be loaded",
         "examples.json": "examples.json could not be loaded", "modes.css": "modes.css could not be loaded",
-        **{f"numerics/{name}.js": "The chart failed" for name in ("chart-worker", "regions", "programs")}}
+        "numerics/chart-worker.js": "The chart failed"}
 
 
 def without(context, address, name, mode):
@@ -43,7 +43,7 @@ def leads_on(page, said):
 
 @pytest.mark.parametrize("mode", ["404", "lost"])
 def test_each_file_that_does_not_come_is_said(stranger, address, mode):
-    """In turn: of the page's own modules, of KaTeX, of Python, of its worker."""
+    """In turn: the page's own script, those of its threads, KaTeX, Python."""
     for first in range(0, len(FILES), TOGETHER):
         pages = {name: without(stranger, address, name, mode) for name in FILES[first:first + TOGETHER]}
         for name, page in pages.items():

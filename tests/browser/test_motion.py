@@ -20,8 +20,8 @@ FIELDS = ["m0*k3", "k3^4 - k3^2/2", "m0*k3 + m1*k3^2", "exp(k3)*m0", "c1*k1 + c3
           "none", "sin(k3) + sqrt(k3 + 2)", "log(k3 + 3)/(k1 + 4)"]
 TIMES = [0.5, 2.5, 10]
 FOLLOW = """async (given) => {
-    const { compiled } = await import("./numerics/compiled.js");
-    const { Motion } = await import("./numerics/integrator.js");
+    const { compiled } = await import("/sources/numerics/compiled.js");
+    const { Motion } = await import("/sources/numerics/integrator.js");
     return given.map(({ rates, coordinates, numbers, state }) => {
         const run = compiled(rates);
         const motion = new Motion(x => run({ ...numbers, ...Object.fromEntries(coordinates.map((name, i) =>

@@ -144,7 +144,7 @@ def test_the_library_answers_there_as_it_does_here(page):
     for example in EXAMPLES:
         for want in WANTED:
             found = page.evaluate("""async ([want, scene]) => {
-                const { Analyser } = await import("./app/analyser.js");
+                const { Analyser } = await import("/sources/app/analyser.js");
                 if (!window.other) (window.other = new Analyser(() => {})).start();
                 return window.other.ask(want, scene);
             }""", [want, example["scene"]])

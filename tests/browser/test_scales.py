@@ -71,7 +71,7 @@ def test_every_number_of_an_example_is_on_its_slider(page, number):
     for name, text in page.evaluate(NUMBERS).items():
         low, high = ends(page, name)
         value = page.evaluate("""async ([name, text]) => (
-            await import("./app/numbers.js")).number(name, text)""", [name, text])
+            await import("/sources/app/numbers.js")).number(name, text)""", [name, text])
         assert low < value < high
         share = page.eval_on_selector(f".value:has(#value-{name}) [type=range]",
                                       "slider => slider.value / slider.max")

@@ -159,7 +159,7 @@ def test_a_picture_waits_for_its_answer(page):
 def test_a_picture_of_hostile_texts_is_xml(started, text):
     """What is typed stands in it as a text."""
     root = ElementTree.fromstring(started.evaluate("""async text => {
-        const { svg } = await import("./views/picture.js");
+        const { svg } = await import("/sources/views/picture.js");
         return svg({ title: text, line: text, verdict: { text, colour: text, more: text }, views: [],
             numbers: [text], key: [{ text, colour: text }],
             inks: { ink: text, quiet: text, line: text, paper: text } });

@@ -59,7 +59,7 @@ def renewed(folder):
     """Another version of two files that need each other, in the place of the first one."""
     page = folder / "index.html"
     page.write_text(page.read_text(encoding="utf-8").replace(OLD, NEW), encoding="utf-8")
-    script = folder / "app" / "notices.js"
+    script = folder / "app" / "main.js"
     script.write_text(script.read_text(encoding="utf-8") + "globalThis.renewed = true;\n", encoding="utf-8")
     listed(folder)
 
@@ -114,7 +114,7 @@ def test_a_new_version_is_taken_whole_at_the_next_visit(folder, visitor):
         page = visited(visitor, address)
         assert version(page) == (NEW, True)
         page.wait_for_function("async (before) => !(await (await caches.open('gyrostat')).keys())"
-                               ".some(({ url }) => url === before)", arg=only(before, "notices.js"))
+                               ".some(({ url }) => url === before)", arg=only(before, "main.js"))
         after = set(page.evaluate(KEYS))
     assert len(after) == len(before)
     assert only(after, "packages.xz") == only(before, "packages.xz")
@@ -131,7 +131,7 @@ def test_a_version_that_does_not_come_whole_is_not_taken(folder, visitor):
     with served(folder) as address:
         page = kept(visitor, address)
         renewed(folder)
-        (folder / "app" / "notices.js").unlink()
+        (folder / "app" / "main.js").unlink()
         assert page.evaluate(UPDATED) != "installed"
         page.close()
         page = visited(visitor, address)

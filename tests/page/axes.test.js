@@ -1,10 +1,29 @@
-// The ticks of a chart's axes: where they are, and that they can be read.
+// The axes of a chart: their names; where their ticks are, and that they can be read.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { fitting, ticked, titled } from "../../docs/try/views/axes.js";
+import { paired, readable, ticked, titled } from "../../docs/try/views/axes.js";
 
 const texts = (ends, most = 5) => ticked(ends, most).ticks.map(({ text }) => text);
 const read = (text, power) => Number(text.replace("−", "-")) * 10 ** power;
+
+test("the axes are two free names, the wanted ones if they can be", () => {
+  const names = ["a", "b", "c", "d"], wanted = ["", "x", ...names];
+  for (let free = [...names]; free.length; free = free.slice(1)) {
+    for (const across of wanted) {
+      for (const upwards of wanted) {
+        const found = paired(free, [across, upwards]);
+        assert.equal(new Set(found).size, 2);
+        assert.deepEqual(found.filter((name) => !free.includes(name)), free.length > 1 ? [] : [""]);
+        if (free.includes(across)) assert.equal(found[0], across);
+        if (free.includes(upwards) && upwards !== across) assert.equal(found[1], upwards);
+      }
+    }
+  }
+  assert.deepEqual(paired(names, ["", ""]), ["c", "d"]);
+  assert.deepEqual(paired(names, ["b", "b"]), ["b", "d"]);
+  assert.deepEqual(paired(["a"], ["", ""]), ["a", ""]);
+  assert.deepEqual(paired([], ["a", "b"]), ["", ""]);
+});
 
 // Ends of every size, of both signs, wide and narrow.
 function* pairs() {
@@ -53,7 +72,7 @@ test("ticks do not overlap, at the width of a phone too", () => {
   const room = (text) => 7 * text.length + 12;
   for (const ends of pairs()) {
     for (const length of [270, 400]) {
-      const { ticks, step } = fitting(ends, length, room), apart = step / (ends[1] - ends[0]) * length;
+      const { ticks, step } = readable(ends, length, room), apart = step / (ends[1] - ends[0]) * length;
       for (const { text } of ticks) assert.ok(room(text) <= apart + 1e-9, `${text} ${apart}`);
       assert.ok(ticks.length >= 2, `${ends}`);
     }

@@ -23,7 +23,8 @@ test("rows stand from above, each code has its colour", () => {
 test("a chart is stable where its criterion is: x > 0 to the right", () => {
   const steps = [["name", "x"], ["name", "y"], ["multiply", 0, 0]], margin = { margin: 0, strict: true, degenerate: [] };
   const answer = { steps, positive: [], sufficient: [[margin]], necessary: [[{ ...margin, strict: false }]], names: ["x", "y"] };
-  const [kind, data] = pictured({ charted: { question: { axes: ["x", "y"] }, answer },
+  const names = ["x", "y"].map((name) => ({ name, positive: false, dimension: null }));
+  const [kind, data] = pictured({ analysed: { answer: { names } }, charted: { question: { axes: ["x", "y"] }, answer },
     decided: { question: { values: { x: "0", y: "1" } }, answer: { verdict: "STABLE" } } });
   const rows = inflateSync(chunks(data).IDAT);
   assert.equal(kind, "png");

@@ -4,6 +4,7 @@ import { EMPTY, MADE } from "./made.js";
 import { line, spun, TEXTS } from "./scene.js";
 
 const PAUSE = 300;                                      // milliseconds after a key
+const OWN = -1;                                         // the number of a scene that is no example
 /** @param {string} id @returns {any} */
 const at = (id) => document.getElementById(id);
 
@@ -30,18 +31,19 @@ export class Form {
   /** What is typed is another scene than the example. @param {string} field @param {() => void} take */
   typed(field, take) {
     take();
-    this.named(-1, "");
+    this.named(OWN, "");
     this.changed(PAUSE, field);
   }
 
-  /** The examples to pick from. @param {{ title: string }[]} examples */
+  /** The examples to pick from, and what stands there else. @param {{ title: string }[]} examples */
   list(examples) {
-    at("example").append(...examples.map(({ title }, n) => element("option", { value: n }, title)));
+    at("example").append(...examples.map(({ title }, n) => element("option", { value: n }, title)),
+      element("option", { value: OWN, hidden: true, disabled: true }, "Your scene"));
   }
 
-  /** Which example it is, -1 for none, and where it is from. @param {number} example @param {string} source */
+  /** Which example it is, OWN for none, and where it is from. @param {number} example @param {string} source */
   named(example, source) {
-    at("example").selectedIndex = example;
+    at("example").value = example;
     at("source").textContent = source;
     at("line").textContent = line(this.asked);
   }

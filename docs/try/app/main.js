@@ -3,11 +3,11 @@ import { typeset, word } from "../views/blocks.js";
 import { Nearby } from "../views/body.js";
 import { Chart } from "../views/chart.js";
 import { fitted, placed } from "../views/sliders.js";
+import { Analyser } from "./analyser.js";
 import { Answers } from "./answers.js";
 import { checked } from "./arrived.js";
 import { cards } from "./cards.js";
 import { copied } from "./copies.js";
-import { analyser } from "./early.js";
 import { Form } from "./form.js";
 import { gallery } from "./gallery.js";
 import { Entries } from "./history.js";
@@ -25,6 +25,8 @@ const SOON = 60;                                        // milliseconds before t
 /** @param {string} id @returns {any} */
 const at = (id) => document.getElementById(id);
 
+const analyser = new Analyser();
+if (navigator.serviceWorker?.controller) analyser.start();              // what is kept here needs no line
 at("unstarted").remove();
 window.onerror = (message) => notice("page", `This page failed (${message}).`, ...reload);
 window.onunhandledrejection = ({ reason }) => window.onerror?.(reason?.message ?? reason);
@@ -43,7 +45,7 @@ const form = new Form(asked, changed, picked);
 const chart = new Chart(at("charted"), asked, answers, set, update);
 const nearby = new Nearby(at("nearby"), asked, answers, changed, update);
 const sharing = new Sharing(asked, answers, { body: nearby, chart }, update);
-const modes = new Modes(asked, (by) => picked(at("example").selectedIndex + by), update);
+const modes = new Modes(asked, (by) => picked(Number(at("example").value) + by), update);
 const entries = new Entries((address) => history.pushState(null, "", address),
   (address) => history.replaceState(null, "", address), () => location.hash);
 const draw = cards(asked, form, changed);
@@ -55,7 +57,7 @@ const SECTIONS = document.querySelectorAll("main section");
  */
 const PLACES = { equilibria: "analysed", values: "analysed", error: "analysed", conditions: "analysed",
   place: "analysed", opened: "analysed", verdict: "decided", wrong: "decided", reasons: "decided", here: "decided",
-  between: "opened", blocks: "derived", picture: chart, path: nearby };
+  survived: "survived", between: "opened", blocks: "derived", picture: chart, path: nearby };
 
 // Every question, from what the page asks now, and every view; if something is typed, after a pause.
 function update(pause = 0) {

@@ -17,7 +17,7 @@ const SIZE = 400;                                       // of a body in it
 const ACROSS = 56;                                      // letters of print, each as wide as it is high, on A4
 
 /** The name of the scene, "" of one that is no example. */
-export const title = () => at("example").selectedOptions[0]?.textContent ?? "";
+export const title = () => document.querySelector("#example option:checked:enabled")?.textContent ?? "";
 
 /** The whole address of a mode of the page. @param {Asked} asked @param {string} show */
 export const address = (asked, show) => new URL(link({ ...asked, show }), location.href).href;

@@ -1,4 +1,4 @@
-// The axes of a chart: where their ticks are, and what stands beside them.
+// The axes of a chart: which two names they are, where their ticks are, and what stands beside them.
 import { nice } from "./scales.js";
 
 /** @typedef {import("./scales.js").Ends} Ends */
@@ -6,6 +6,18 @@ import { nice } from "./scales.js";
 /** @typedef {{ticks: Tick[], step: number, power: number}} Ticks  a tick reads text times 10 to the power */
 
 const RAISED = "⁰¹²³⁴⁵⁶⁷⁸⁹";
+
+/**
+ * The names across and upwards: those that are wanted, if they are free and differ, and in the place of the others the
+ * last ones; "" where there is none.
+ * @param {string[]} free those that an axis may have
+ * @param {string[]} wanted two, "" where any will do
+ */
+export function paired(free, wanted) {
+  const kept = wanted.map((name, n) => free.includes(name) && wanted.indexOf(name) === n ? name : "");
+  const others = free.filter((name) => !kept.includes(name)).slice(-kept.filter((name) => !name).length);
+  return kept.map((name) => name || (others.shift() ?? ""));
+}
 
 /**
  * Ticks 1, 2 or 5 times a power of ten apart: at most most + 1 of them, at least two if most is 5 or more.
@@ -34,7 +46,7 @@ export function ticked([low, high], most) {
  * @param {(text: string) => number} room pixels that a text takes
  * @returns {Ticks}
  */
-export function fitting(ends, length, room) {
+export function readable(ends, length, room) {
   for (let most = 10; most > 3; most--) {
     const found = ticked(ends, most), apart = found.step / (ends[1] - ends[0]) * length;
     if (found.ticks.every(({ text }) => room(text) <= apart)) return found;

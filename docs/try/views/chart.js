@@ -1,6 +1,7 @@
 // A chart of two names: in each pixel what doubles prove of the criteria, over it zeros of margins, exact.
 import { notice, reload } from "../app/notices.js";
 import { possible } from "../app/numbers.js";
+import { paired } from "./axes.js";
 import { element } from "./blocks.js";
 import { handled } from "./chart-hands.js";
 import { paint, placed, shares } from "./plot.js";
@@ -33,12 +34,14 @@ export class Chart {
     /** @type {any} */
     this.program = null;
     this.drawing = this.broken = "";
+    this.size = 0;                                      // of the picture, a square, where it is or was last seen
     /** @type {import("./plot.js").Colours} */
     this.colours = { ink: "", quiet: "", paper: "" };
     /** @param {string} name @returns {any} */
     const find = (name) => place.querySelector(name);
     this.canvas = find("canvas");
     this.selects = [find("#across"), find("#upwards")];
+    this.choice = find(".axes");
     this.why = find("#no-chart");
     this.drawn = find(".drawn");
     this.whole = find("#whole");
@@ -61,19 +64,16 @@ export class Chart {
       this.inks();
       settled();
     };
-    const soon = () => requestAnimationFrame(() => this.draw());
-    new ResizeObserver(soon).observe(this.canvas);
-    addEventListener("resize", soon);                   // a pixel of the screen may be another one
+    new ResizeObserver((entries) => {
+      this.size = Math.round(entries[entries.length - 1].contentRect.width) || this.size;
+      this.draw();
+    }).observe(this.canvas);
+    addEventListener("resize", () => this.draw());      // a pixel of the screen may be another one
   }
 
   /** Whether what is drawn is of another scene than the page's, or of other numbers. */
   get waiting() {
     return this.answers.waiting("charted") || this.regions.waiting;
-  }
-
-  /** The width of the picture, which is a square. @returns {number} */
-  get size() {
-    return this.canvas.clientWidth;
   }
 
   /**
@@ -83,19 +83,14 @@ export class Chart {
    * @param {import("./scales.js").Name[]} names
    */
   choose(axes, names) {
-    let [x, y] = this.selects.map((select, n) => this.wanted[n] ?? select.value)
-      .map((name) => axes.includes(name) ? name : undefined);
-    if (x === y) y = undefined;
-    const [last, before] = axes.toReversed();
-    x ??= before === y ? last : before ?? last;
-    y ??= last === x ? before : last;
     const texts = new Map(names.map(({ name, text }) => [name, text]));
-    [x, y].forEach((name, n) => {
-      this.selects[n].replaceChildren(...axes.map((axis) => new Option(texts.get(axis), axis)));
-      this.selects[n].value = name ?? "";
-    });
+    this.asked.axes = paired(axes, this.asked.axes.map((name, n) => this.wanted[n] ?? name));
     this.wanted = [];
-    this.asked.axes = this.selects.map((select) => select.value);
+    this.selects.forEach((select, n) => {
+      select.replaceChildren(...axes.map((axis) => new Option(texts.get(axis), axis)));
+      select.value = this.asked.axes[n];
+    });
+    this.choice.hidden = axes.length < 2;
   }
 
   /** Another axis; the name of the other one changes places with it. @param {number} n */

@@ -1,5 +1,5 @@
 // A chart as it is drawn: by the context of a canvas, or by what stands for one.
-import { fitting, titled } from "./axes.js";
+import { readable, titled } from "./axes.js";
 
 /** @typedef {import("./scales.js").Ends} Ends */
 /** @typedef {[number, number]} Point */
@@ -95,7 +95,7 @@ function say(context, font, align, text, x, y) {
  */
 function across(context, size, { text: name, ends }, { ink, quiet }) {
   const { left, top, side } = frame(size), bottom = top + side, [low, high] = ends;
-  const { ticks, power } = fitting(ends, side, (text) => DIGIT * text.length + GAP);
+  const { ticks, power } = readable(ends, side, (text) => DIGIT * text.length + GAP);
   for (const { value, text } of ticks) {
     const x = left + (value - low) / (high - low) * side;
     lines(context, [[x, bottom], [x, bottom + 4]]);
@@ -114,7 +114,7 @@ function across(context, size, { text: name, ends }, { ink, quiet }) {
  */
 function upwards(context, size, { text: name, ends }, { ink, quiet }) {
   const { left, top, side } = frame(size), [low, high] = ends;
-  const { ticks, power } = fitting(ends, side, () => LINE);
+  const { ticks, power } = readable(ends, side, () => LINE);
   for (const { value, text } of ticks) {
     const y = top + (high - value) / (high - low) * side;
     lines(context, [[left - 4, y], [left, y]]);
