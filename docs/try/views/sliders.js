@@ -68,7 +68,8 @@ export function placed(place, { scales, values }) {
     [row.dataset.low, row.dataset.high] = ends.map(String);
     slider.max = String(steps(ends));
     if (!Number.isFinite(value)) continue;
-    slider.value = String(stepOf(ends, value));
+    const step = String(stepOf(ends, value));
+    if (slider.value !== step) slider.value = step;
     slider.ariaValueText = written(Number(value.toPrecision(4)));
   }
 }
