@@ -6,7 +6,7 @@ import { nothing, scene, taken } from "./app/scene.js";
 import { questions } from "./app/state.js";
 import { paired } from "./views/axes.js";
 
-const KINDS = ["analysed", "decided", "opened", "charted", "moving"];
+const KINDS = ["analysed", "decided", "opened", "survived", "charted", "moving"];
 const ROUNDS = 4;                                       // as far as an answer leads to another question
 
 /**

@@ -30,9 +30,17 @@ class HeavyBody:
 
     def greatest_angle(self, k, pi, time):
         """How far k goes from where it starts, in degrees."""
+        found = self.followed(k, pi, time)
+        return np.degrees(np.arctan2(np.linalg.norm(np.cross(found, k), axis=1), found @ k)).max()
+
+    def followed(self, k, pi, time):
+        """The directions k of a motion, shape (n, 3)."""
         found = solve_ivp(self.field, (0, time), [*pi, *k], method="DOP853", rtol=1e-11, atol=1e-13)
-        cross = np.linalg.norm(np.cross(found.y[3:].T, k), axis=1)
-        return np.degrees(np.arctan2(cross, k @ found.y[3:])).max()
+        return found.y[3:].T
+
+    def turning(self, k, omega):
+        """The function V of directions, shape (..., 3), in the frame that turns at a rate."""
+        return k @ self.c + ((k @ self.Q) * k).sum(-1) / 2 - omega**2 * k**2 @ self.I / 2 - omega * k @ self.l
 
     def least(self, k0, omega, degrees, level):
         """The least over π of h − h0 on the circle, in the frame or at given C1, by golden sections."""

@@ -12,6 +12,12 @@ def sphere(V, n=180):
     return V(np.stack([np.sin(T) * np.cos(P), np.sin(T) * np.sin(P), np.cos(T)], axis=-1))
 
 
+def cell_of(k, n=180):
+    """The cell of a direction on that grid."""
+    row = int(np.arccos(np.clip(k[2], -1, 1)) * n / np.pi)
+    return min(row, n - 1), int(np.arctan2(k[1], k[0]) % (2 * np.pi) * n / np.pi) % (2 * n)
+
+
 def parts(mask):
     """The connected parts of a set on that grid; around a pole its cells touch one another."""
     label, _ = ndimage.label(mask)

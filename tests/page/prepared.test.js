@@ -14,7 +14,7 @@ const echo = (asked) => asked.want === "analysed"
 
 test("the page's own questions are prepared, and each is found again", async () => {
   const found = await prepared(EXAMPLES[0], echo);
-  assert.deepEqual(Object.keys(found).sort(), ["analysed", "charted", "decided", "moving"]);
+  assert.deepEqual(Object.keys(found).sort(), ["analysed", "charted", "decided", "moving", "survived"]);
   assert.deepEqual(found.charted.question.axes, ["b", "c"]);
   const files = [], answer = library(async () => EXAMPLES, async (n) => {
     files.push(n);

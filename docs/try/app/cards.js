@@ -33,6 +33,9 @@ export const cards = (asked, form, changed) => ({
     }
     verdict(at("verdict"), at("reasons"), answer);
   },
+  survived(found) {
+    shown(at("survived"), found);
+  },
   opened(found) {
     shown(at("between"), found);
   },

@@ -57,7 +57,7 @@ const SECTIONS = document.querySelectorAll("main section");
  */
 const PLACES = { equilibria: "analysed", values: "analysed", error: "analysed", conditions: "analysed",
   place: "analysed", opened: "analysed", verdict: "decided", wrong: "decided", reasons: "decided", here: "decided",
-  between: "opened", blocks: "derived", picture: chart, path: nearby };
+  survived: "survived", between: "opened", blocks: "derived", picture: chart, path: nearby };
 
 // Every question, from what the page asks now, and every view; if something is typed, after a pause.
 function update(pause = 0) {

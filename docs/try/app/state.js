@@ -3,7 +3,7 @@ import { key } from "./answers.js";
 import { scene } from "./scene.js";
 
 /** Every kind of question, in the order in which the library is asked. */
-export const KINDS = ["analysed", "decided", "opened", "derived", "copied", "charted", "edges", "moving"];
+export const KINDS = ["analysed", "decided", "opened", "survived", "derived", "copied", "charted", "edges", "moving"];
 /** What is copied that the library writes. */
 const TEXTS = ["latex", "python", "scene"];
 
@@ -22,6 +22,7 @@ export function questions(asked, answers, number) {
   return {
     analysed: here,
     decided: whole,
+    survived: whole,
     opened: analysed && !(analysed.open && asked.open.opened) ? null : whole,
     derived: asked.open.derived ? known : null,
     copied: TEXTS.includes(asked.copying) ? whole : null,

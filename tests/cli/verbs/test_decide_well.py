@@ -41,7 +41,8 @@ def test_a_heavy_gyrostat_in_words(capsys):
     flat = " ".join(decide(capsys, *HEAVY, "--well")[1].split())
     assert "Well: 1.8618 up to the pass at k = (−0.674547, 0.720007, −0.163021), over which it closes" in flat
     assert "A kick of less than 2.0288, in whatever direction across k, does" in flat
-    assert "gyroscopic forces hold it" in flat
+    assert "Any kick of less than 2.46273 keeps k over its well in the frame that turns with it" in flat
+    assert "gyroscopic forces hold it" in flat and flat.count("Any kick") == 1
 
 
 def test_as_data(capsys):
@@ -52,6 +53,7 @@ def test_as_data(capsys):
     assert wells[0]["barrier"] == pytest.approx(1.86180390026476, rel=1e-14) and wells[0]["escape"] is None
     assert wells[0]["damped"] is True and wells[0]["passes"][0]["k1"] == pytest.approx(-0.6745473519636137)
     assert wells[0]["kick"] == pytest.approx(2.02880462166252, rel=1e-14) and wells[0]["beyond"] == []
+    assert [w["any_kick"] for w in wells] == [pytest.approx(2.46273204849046, rel=1e-14), None, None, None]
     assert "not stable" in wells[1]["reason"] and "gyroscopic" in wells[2]["reason"]
     _, out, _ = decide(capsys, *TOP, "omega=3/2", "--well", "--format", "json")
     well = json.loads(out)["equilibria"][0]["well"]

@@ -123,10 +123,10 @@ def test_a_tie_is_broken_exactly():
     scene = gs.assemble(gs.Gyrostat((1, 2, 3), (0, 0, 1)), gs.general_potential("k1 + k2 + k3"))
     known = next(e for e in gs.relative_equilibria(scene, {"C1": "5/2"}) if e.form.index == 0).well
     places = sorted(range(len(known.points)), key=lambda n: float(known.heights[n].mid()))
-    level = joining.told_apart(known.points, places[::-1], False)
+    level = joining.told_apart(known.points, places[::-1], known.value)
     assert level == [[n] for n in places]
-    assert joining.told_apart(known.points, places, True) == [[n] for n in places[::-1]]
-    assert joining.told_apart([STABLE, STABLE], [0, 1], False) == [[0, 1]]
+    assert joining.told_apart(known.points, places, lambda e: -e.energy) == [[n] for n in places[::-1]]
+    assert joining.told_apart([STABLE, STABLE], [0, 1], known.value) == [[0, 1]]
 
 
 def test_how_wells_join():

@@ -9,8 +9,8 @@ from flint import arb, arb_series
 from sympy import Rational
 
 import gyrostat as gs
-from gyrostat.equilibria.wells.circles import least
-from gyrostat.equilibria.wells.within import kick_within, rise_within
+from gyrostat.equilibria.wells.disturbances.circles import least
+from gyrostat.equilibria.wells.disturbances.within import kick_within, rise_within
 from gyrostat.errors import ScopeError, ValuesError
 
 U = gs.general_potential(lambda k1, k2, k3: k1 + k2 + k3)

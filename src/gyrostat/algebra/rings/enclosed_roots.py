@@ -89,20 +89,31 @@ def divided_by_root(coefficients: Sequence[arb], root: arb) -> list[arb]:
 
 @lru_cache(maxsize=256)
 def isolated(coefficients: tuple[Expr, ...], precision: int) -> list[arb] | None:
-    """Return enclosures of the real roots in increasing order; None if the roots are not told apart.
+    """Return enclosures of the real roots in increasing order; None if the roots are not told apart."""
+    with own_precision(2 * precision):
+        return simple_roots(arb_poly([ball(c, 2 * precision) for c in coefficients]), precision)
+
+
+def simple_roots(polynomial: arb_poly, precision: int) -> list[arb] | None:
+    """Return enclosures of the real roots in increasing order; None if not all complex ones are told apart.
 
     The enclosures of all complex roots are disjoint. One that meets the real line contains a real root if its
     mirror image meets no other: the conjugate of its root then lies in both, and so is the same root.
+
+    Parameters
+    ----------
+    polynomial : arb_poly
+        with coefficients in balls, and the precision set that they have
+    precision : int
+        bits that are enough for a root
     """
-    with own_precision(2 * precision):
-        polynomial = arb_poly([ball(c, 2 * precision) for c in coefficients])
-        try:
-            found = polynomial.complex_roots(tol=2.0 ** -min(precision, NARROW))
-        except ValueError:
+    try:
+        found = polynomial.complex_roots(tol=2.0 ** -min(precision, NARROW))
+    except ValueError:
+        return None
+    near = [z for z in found if z.imag.contains(0)]
+    for z in near:
+        mirrored = acb(z.real, -z.imag)
+        if any(other is not z and mirrored.overlaps(other) for other in found):
             return None
-        near = [z for z in found if z.imag.contains(0)]
-        for z in near:
-            mirrored = acb(z.real, -z.imag)
-            if any(other is not z and mirrored.overlaps(other) for other in found):
-                return None
-        return sorted((z.real for z in near), key=arb.mid)
+    return sorted((z.real for z in near), key=arb.mid)

@@ -4,11 +4,10 @@ from itertools import combinations
 from typing import Any
 
 from flint import acb, arb, ctx
-from sympy import Expr, Integer, S
+from sympy import Expr, S
 
 from ..._cached import cached_property
 from ...errors import ScopeError
-from ..enclosures.balls import Enclosed
 from ..enclosures.precision import doubled, own_precision
 from ..solving.real_fields import BITS, FieldNumbers, RealNumbers
 from ..solving.root_numbers import DIFFERENT
@@ -103,7 +102,7 @@ class RotationZeros(RealNumbers):
     def expression(self, root: int, place: int) -> Expr:
         """Return one of the numbers of a point as an expression; with an irrational factor it is enclosed."""
         if self._algebra is None:
-            return EnclosedCoordinate(self, root, place)
+            return super().expression(root, place)
         return self._same(root)[place]
 
     def is_fraction(self, root: int, place: int) -> bool:
@@ -129,29 +128,6 @@ def _directions(q: Sequence[acb]) -> list[arb]:
     a, b, c, d = (x.real for x in q)
     return [2 * (b * c + a * d), a * a - b * b + c * c - d * d, 2 * (c * d - a * b),
             2 * (b * d - a * c), 2 * (c * d + a * b), a * a - b * b - c * c + d * d]
-
-
-class EnclosedCoordinate(Enclosed):
-    """One of the numbers of a critical point, without an algebraic form; it prints as a decimal."""
-
-    zeros: RotationZeros
-
-    def __new__(cls, zeros: RotationZeros, root: int, place: int) -> "EnclosedCoordinate":
-        number: EnclosedCoordinate = Expr.__new__(cls, Integer(id(zeros)), Integer(root), Integer(place))
-        number.zeros = zeros
-        return number
-
-    def enclosed(self, precision: int) -> arb:
-        """Return an enclosure."""
-        return self.zeros.values(precision)[int(self.args[1])][int(self.args[2])]
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        return EnclosedCoordinate, (self.zeros, int(self.args[1]), int(self.args[2]))
-
-    def _sympystr(self, _: Any) -> str:
-        return str(self.evalf(17))
-
-    _latex = _sympyrepr = _sympystr
 
 
 def critical_rotations(form: QuarticForm) -> list[FieldNumbers] | None:

@@ -2,18 +2,23 @@
 from collections.abc import Iterator, Sequence
 
 from flint import arb, fmpq_poly
-from sympy import Add, Expr, Matrix, S, Symbol, eye, sqrt
+from sympy import Add, CRootOf, Expr, Matrix, S, Symbol, eye, sqrt
 
 from ..._cached import cached_property
+from ...errors import ScopeError, brief
 from ..enclosures.balls import finite_ball
 from ..reals.exact import evaluate, proved_sign
 from ..reals.number_fields import in_one
 from ..reals.number_matrices import exact
+from ..rings.enclosed_points import SimplePoints
 from ..rings.matrices import adjugate, cross
 from ..rings.polynomials import Ring
 from .real_fields import BITS, Conjugates, FieldNumbers
 from .roots import in_order, real_roots, roots_of_factor
 
+HIGHEST = 6                                            # degree of a number with which resultants are taken
+NOT_TOLD = ("at {}, of so high a degree, the solutions are not told apart: turn the body into axes in which "
+            "a plane of symmetry is one of the planes of coordinates, or round the number to decimals")
 Found = tuple[Sequence[Expr], tuple[Expr, ...] | None]
 
 
@@ -38,7 +43,13 @@ def points_on_sphere(pencil: Matrix, vector: Matrix, radius: Expr, nu: Symbol) -
     ------
     tuple
         ν, x1, x2, x3; the axis about which x may be turned, None if there is none, 0 if x is any point of the
-        sphere. At rational numbers ν and x are FieldNumbers, unless they are of degree 1 or 2
+        sphere. At rational numbers ν and x are FieldNumbers, unless they are of degree 1 or 2; with a number
+        of high degree they are enclosed if all points are simple
+
+    Raises
+    ------
+    ScopeError
+        with a number of high degree they are not simple, and the pencil is not diagonal
 
     References
     ----------
@@ -58,6 +69,13 @@ def points_on_sphere(pencil: Matrix, vector: Matrix, radius: Expr, nu: Symbol) -
     if ring.generators == (nu,):
         yield from _at_rational_numbers(ring, pencil, vector, radius, nu)
         return
+    high = [g for g in ring.generators if isinstance(g, CRootOf) and g.poly.degree() > HIGHEST]
+    if high:
+        if lists := SimplePoints(pencil, vector, radius, nu).lists:
+            yield from ((numbers, None) for numbers in lists)
+            return
+        if not pencil.is_diagonal():
+            raise ScopeError(NOT_TOLD.format(brief(high[0])))
     above, below, parts = _by_adjugate(pencil, vector)
     for root in real_roots(Add(*(x**2 for x in parts)) - radius**2, nu) or ():
         if proved_sign(evaluate(below, {nu: root})) != 0:

@@ -3,10 +3,10 @@ from collections.abc import Sequence
 from typing import Any, overload
 
 from flint import arb, arb_poly, fmpq_poly
-from sympy import Expr, Rational
+from sympy import Expr, Integer, Rational
 
 from ..._cached import cached_property
-from ..enclosures.balls import ball
+from ..enclosures.balls import Enclosed, ball
 from ..enclosures.precision import own_precision
 from ..enclosures.real_roots import isolated_roots
 from ..reals.number_fields import at_root, divided
@@ -25,7 +25,7 @@ class RealNumbers:
 
     def expression(self, root: int, place: int) -> Expr:
         """Return one number of one list as an expression."""
-        raise NotImplementedError
+        return EnclosedNumber(self, root, place)
 
     def is_fraction(self, root: int, place: int) -> bool:
         """Tell whether one number of one list is a fraction."""
@@ -35,6 +35,29 @@ class RealNumbers:
         """Tell whether a number is proved to have two sizes in conjugate lists: then it is no fraction."""
         sizes = [abs(self.values(BITS)[root][place]) for root in conjugate]
         return any(not x.overlaps(sizes[0]) for x in sizes)
+
+
+class EnclosedNumber(Enclosed):
+    """One of several lists of real numbers, without an algebraic form; it prints as a decimal."""
+
+    numbers: RealNumbers
+
+    def __new__(cls, numbers: RealNumbers, root: int, place: int) -> "EnclosedNumber":
+        number: EnclosedNumber = Expr.__new__(cls, Integer(id(numbers)), Integer(root), Integer(place))
+        number.numbers = numbers
+        return number
+
+    def enclosed(self, precision: int) -> arb:
+        """Return an enclosure."""
+        return self.numbers.values(precision)[int(self.args[1])][int(self.args[2])]
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return EnclosedNumber, (self.numbers, int(self.args[1]), int(self.args[2]))
+
+    def _sympystr(self, _: Any) -> str:
+        return str(self.evalf(17))
+
+    _latex = _sympyrepr = _sympystr
 
 
 class Conjugates(RealNumbers):

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from ...charts.barriers import with_barriers
+from ..._lazy import loaded
 from ...charts.chart import stability_chart
 from ...charts.codes import SURVIVED
 from ...errors import ValuesError
@@ -52,7 +52,7 @@ def run(given: argparse.Namespace, out: Output) -> int:
                             damped=given.damped, store=store, backend=given.backend,
                             threads=given.threads)
     if given.well:
-        chart = with_barriers(chart, report)
+        chart = loaded("charts.barriers:with_barriers")(chart, report)
     if path.suffix in PICTURES:
         form = Form(path, path.suffix.removeprefix("."), given.width, given.dpi, given.title)
         with printed_look():

@@ -4,9 +4,8 @@ from ...mechanics.scenes.kind import Kind
 from ...stability.decision import Verdict
 from ..finders.revolution_form import RevolutionForm
 from ..relative_equilibrium import RelativeEquilibrium
-from .joining import NO_PATH, NOT_ISOLATED, in_classes, told_apart
+from .basin import filled
 from .landscape import landscape_of
-from .merge_tree import outcome
 from .paths import Paths
 from .tilts import tilt_well
 from .well import Well
@@ -39,14 +38,4 @@ def well_of(rotation: RelativeEquilibrium) -> Well:
     points = landscape.points
     down = [None if e.locus or 0 in e.form.signs else e.form.index for e in points]
     indices = [len(e.form.signs) - n if turned and n is not None else n for n, e in zip(down, points)]
-    paths = Paths(landscape, indices)
-    here, levels = landscape.number(rotation), in_classes(paths.values)
-    found = outcome(here, levels, indices, paths.ends)
-    if found.tied:
-        levels = [part for level in levels for part in (
-            told_apart(points, level, turned) if found.passes[0] in level else [level])]
-        found = outcome(here, levels, indices, paths.ends)
-    stopped = found.stopped
-    reason = "" if stopped is None else NOT_ISOLATED if indices[stopped] is None else NO_PATH
-    return Well(rotation, paths, found, reason)
-
+    return filled(Well(rotation), Paths(landscape, indices))

@@ -1,5 +1,5 @@
 """How the wells of a level become one as the energy rises."""
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cmp_to_key
 from itertools import pairwise
@@ -12,8 +12,10 @@ from ..relative_equilibrium import RelativeEquilibrium
 from .merge_tree import joins
 from .paths import Paths
 
+Value = Callable[[RelativeEquilibrium], Expr]              # V at an equilibrium
 NO_PATH = "the way down from an equilibrium is not proved: no pass lies below it, what lies above is open"
 NOT_ISOLATED = "a degenerate equilibrium lies above: no pass lies below it, what lies above is open"
+
 
 @dataclass(frozen=True)
 class Merge:
@@ -50,13 +52,13 @@ class Tree:
     reason: str
 
 
-def tree(rotation: RelativeEquilibrium, paths: Paths, turned: bool) -> Tree:
-    """Return how the wells of the level of an equilibrium become one; turned: those of -V."""
-    points, indices, sign = paths.landscape.points, paths.indices, -1 if turned else 1
+def tree(rotation: RelativeEquilibrium, paths: Paths, value: Value) -> Tree:
+    """Return how the wells of the level of an equilibrium become one."""
+    points, indices = paths.landscape.points, paths.indices
     levels = [part for level in in_classes(paths.values) for part in (
-        told_apart(points, level, turned) if sum(indices[n] == 1 for n in level) > 1 else [level])]
+        told_apart(points, level, value) if sum(indices[n] == 1 for n in level) > 1 else [level])]
     found, lost = joins(levels, indices, paths.ends)
-    merges = (Merge(evaluate(sign * (points[join.over[0]].energy - rotation.energy), {}),
+    merges = (Merge(evaluate(value(points[join.over[0]]) - value(rotation), {}),
                     tuple(points[n] for n in join.over),
                     tuple(tuple(points[n] for n in well) for well in join.wells)) for join in found)
     return Tree(tuple(merges), "" if lost is None else NOT_ISOLATED if indices[lost] is None else NO_PATH)
@@ -73,11 +75,10 @@ def in_classes(values: Sequence[arb]) -> list[list[int]]:
     return levels
 
 
-def told_apart(points: Sequence[RelativeEquilibrium], level: list[int], turned: bool) -> list[list[int]]:
-    """Return one class in classes of exactly equal energy, the lowest first; turned: the highest."""
+def told_apart(points: Sequence[RelativeEquilibrium], level: list[int], value: Value) -> list[list[int]]:
+    """Return one class in classes of exactly equal V, the lowest first."""
     def compared(a: int, b: int) -> int:
-        sign = proved_sign(evaluate(points[a].energy - points[b].energy, {}))
-        return -sign if turned else sign
+        return proved_sign(evaluate(value(points[a]) - value(points[b]), {}))
 
     ordered = sorted(level, key=cmp_to_key(compared))
     parts = [ordered[:1]]

@@ -1,4 +1,5 @@
 """The function V whose wells hold the motions of a scene, on a sphere or on the attitudes."""
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
@@ -6,7 +7,7 @@ from typing import Any
 
 import numpy as np
 from flint import arb
-from sympy import Add, Expr, Matrix, Poly, PolynomialError, Rational, Symbol, sqrt
+from sympy import Add, CRootOf, Expr, Matrix, Poly, PolynomialError, Rational, Symbol, sqrt
 
 from ..._cached import cached_property
 from ...algebra.enclosures.balls import ball
@@ -23,6 +24,8 @@ from .in_balls import BITS, dot, form, in_balls, rows_in_balls
 LARGEST = 10**15                                       # denominator of a level
 NO_FRACTION = ("{} is no fraction of a small denominator here, and all equilibria of a level are found at "
                "such fractions: find the equilibrium by its level")
+NO_RATE = ("the rate is not rational, and in a field of degree 3 or more all rotations of a rate are found "
+           "if it is: find the rotation by its rate")
 MOMENTUM, NORMAL, UPWARD = (tuple(components(name)) for name in ("pi", "n", "r"))
 
 
@@ -96,6 +99,10 @@ class Landscape:
         """Return V at vectors of doubles, shape (..., 3) or (..., 4)."""
         return self._value(list(np.moveaxis(np.asarray(x, dtype=float), -1, 0)), self._doubles)
 
+    def of_directions(self, y: Sequence[Any]) -> Any:
+        """Return V of a satellite at components of n and r in doubles, in place of a quaternion."""
+        return self._doubles[0].at(y)
+
     def _value(self, x: Sequence[Any], terms: Sequence[Terms]) -> Any:
         polynomial, *twist = terms
         square = sum((c * c for c in x[1:]), x[0] * x[0])
@@ -146,7 +153,26 @@ def landscape_of(rotation: RelativeEquilibrium) -> Landscape:
     return Landscape(points, [U, *twist])
 
 
-def _polynomial(expression: Expr, variables: Sequence[Symbol], degree: int) -> Poly:
+def turning_landscape(rotation: RelativeEquilibrium) -> Landscape:
+    """Return V = U − ω² k·Ik/2 − ω l·k on the sphere of k, at the rate ω of a rotation in a field.
+
+    Its critical points are the rotations of that rate, whatever C1 is.
+
+    Raises
+    ------
+    ScopeError
+        there is no list of all of them
+    """
+    scene, omega, k = rotation.scene, rotation.rates["omega"], Matrix(DIRECTIONS)
+    body, U = scene.body, scene.potential
+    assert U is not None
+    if _polynomial(U.expression, DIRECTIONS, math.inf).total_degree() > 2 and omega.has(CRootOf):
+        raise ScopeError(NO_RATE)
+    V = U.expression - omega**2 * k.dot(body.tensor * k) / 2 - omega * Matrix(body.gyrostatic_momentum).dot(k)
+    return Landscape(relative_equilibria(scene, {"omega": omega}), [_polynomial(V, DIRECTIONS, math.inf)])
+
+
+def _polynomial(expression: Expr, variables: Sequence[Symbol], degree: float) -> Poly:
     try:
         found = Poly(expression, *variables)
     except PolynomialError:

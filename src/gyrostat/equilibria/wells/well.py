@@ -4,124 +4,44 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from flint import arb
-from sympy import Expr, oo
+from sympy import oo
 
 from ..._cached import cached_property
-from ..._display import Shown
 from ...algebra.enclosures.balls import ball
-from ...algebra.reals.exact import evaluate
 from ...errors import ScopeError
 from ...mechanics.families.circular_orbit import by_gradient_alone
 from ...mechanics.scenes.kind import Kind
-from ..relative_equilibrium import RelativeEquilibrium
+from .basin import Basin
 from .contained import contained
 from .damped import comes_back
+from .disturbances.kicks import about_the_nodes, below, keeps_its_level, kick_below, tilt_below
+from .disturbances.within import kick_within
+from .frame import Frame, frame_of
 from .in_balls import BITS
 from .joining import Tree, tree
-from .kicks import about_the_nodes, below, keeps_its_level, kick_below, tilt_below
-from .merge_tree import Outcome
-from .paths import Paths
-from .tilts import TiltWell
-from .within import kick_within
 
 TILTS = "the tilt alone moves; ask for its barrier, or for an angle"
 
 
 @dataclass(frozen=True, repr=False)
-class Well(Shown):
+class Well(Basin):
     """The well of the energy round a relative equilibrium, on its level.
 
     A motion that starts inside, with less energy than the pass, stays inside for ever. On its level are the
     motions with the same C1 = M·k, of a free body with the same abs(M); of a satellite all motions.
-
-    Parameters
-    ----------
-    rotation : RelativeEquilibrium
-    paths : Paths or None
-        the paths down from all equilibria of its level; None if they are not known
-    found : Outcome
-        what the well meets first
-    reason : str
-        why there is no barrier, or why it is only a bound; "" else
     """
 
-    rotation: RelativeEquilibrium
-    paths: Paths | None = None
-    found: Outcome = Outcome()
-    reason: str = ""
-    line: TiltWell | None = None
-
-    @property
-    def points(self) -> Sequence[RelativeEquilibrium]:
-        """All equilibria of its level, if they are known."""
-        return () if self.paths is None else self.paths.landscape.points
-
     @cached_property
-    def heights(self) -> Sequence[arb]:
-        """V of each of them above that of the rotation, in balls [M L²/T²]."""
-        return () if self.paths is None else self.paths.above(self.rotation)
-
-    @cached_property
-    def barrier(self) -> Expr | None:
-        """The height of the lowest equilibrium that the well touches, exact; None if there is no answer."""
-        if self.line is not None:
-            return self.line.barrier
-        return self._above(self.found.passes[0]) if self.found.passes else None
-
-    @cached_property
-    def escape(self) -> Expr | None:
-        """The least height from which another minimum is reached, exact; oo if there is none."""
-        if self.line is not None:
-            return self.line.escape
-        if self.found.escape is not None:
-            return self._above(self.found.escape)
-        return None if self.found.stopped is not None or not self.found.passes else oo
-
-    @property
-    def barrier_double(self) -> float | None:
-        """The barrier as a double, without the exact number being written out [M L²/T²]."""
-        if self.line is not None:
-            return None if self.line.barrier is None else float(self.line.barrier)
-        return float(self.heights[self.found.passes[0]].mid()) if self.found.passes else None
-
-    @property
-    def escape_double(self) -> float | None:
-        """The escape as a double; infinity if there is no other minimum [M L²/T²]."""
-        if self.line is not None:
-            return None if self.line.escape is None else float(self.line.escape)
-        if self.found.escape is not None:
-            return float(self.heights[self.found.escape].mid())
-        return None if self.escape is None else math.inf
-
-    @property
-    def bound(self) -> float | None:
-        """What the barrier is at least, if it is not known [M L²/T²]."""
-        stopped = self.found.stopped
-        return None if self.found.passes or stopped is None else float(self.heights[stopped].lower())
-
-    @property
-    def kind(self) -> str:
-        """Of the pass: "well", "round" (the well closes round a summit), "summit"; "" if there is none.
-
-        Of a body of revolution it may be a "shelf", an inflection.
-        """
-        if self.line is not None:
-            return self.line.passes[0].kind if self.line.passes else ""
-        return self.found.kind
-
-    @property
-    def passes(self) -> tuple[RelativeEquilibrium, ...]:
-        """The equilibria of the height of the barrier that the well touches."""
-        return tuple(self.points[n] for n in self.found.passes)
-
-    @property
-    def beyond(self) -> tuple[RelativeEquilibrium, ...]:
-        """The stable equilibria that are reached at the height of the escape."""
-        return tuple(self.points[n] for n in self.found.beyond)
+    def frame(self) -> Frame:
+        """The well in the frame that turns with a rotation of a body in a field, which bounds every kick."""
+        return frame_of(self.rotation)
 
     def kick(self, direction: Sequence[Any] | None = None, level: bool = False) -> float:
         """Return the impulse of a torque below which the motion stays in the well, rounded down.
+
+        In a field a kick along k changes C1, and the well with it. What is returned without level is then
+        that of the frame: below it k stays over the well of the frame for ever. That is not to say that the
+        motion comes back: other places to rest may lie inside, on other levels of C1.
 
         Parameters
         ----------
@@ -146,12 +66,15 @@ class Well(Shown):
         ----------
         A kick Δ adds Δ·I⁻¹Δ/2 to the energy at rest.
         """
+        kind = self.rotation.scene.kind
+        if kind is Kind.FIELD and not level and self.line is None:
+            return self.frame.kick(direction)
         if self.barrier_double is None:
             raise ScopeError(f"no kick is known to be small enough: {self.reason}")
         keeps_its_level(self.rotation, level)
         if self.line is not None:
             return about_the_nodes(self.line, direction)
-        return kick_below(self.rotation, self.heights[self.found.passes[0]], direction)
+        return kick_below(self.rotation, self.heights[self.found.passes[0]], direction, kind is Kind.FIELD)
 
     def within(self, degrees: Any, level: bool = False) -> float:
         """Return the impulse below which the axis that was vertical stays within an angle, rounded down.
@@ -234,17 +157,9 @@ class Well(Shown):
         """How all wells of its level become one; empty for a body of revolution, whose tilt alone moves."""
         if self.paths is None:
             return Tree((), TILTS if self.line else self.reason)
-        return tree(self.rotation, self.paths, self._turned)
+        return tree(self.rotation, self.paths, self.value)
 
     @cached_property
     def damped(self) -> bool | None:
         """Whether every motion inside comes back under internal damping; None if that is not known."""
         return comes_back(self.rotation) if self.found.passes else None
-
-    def _above(self, n: int) -> Expr:
-        rise = evaluate(self.points[n].energy - self.rotation.energy, {})
-        return -rise if self._turned else rise
-
-    @property
-    def _turned(self) -> bool:
-        return self.rotation.scene.kind is Kind.FREE and self.rotation.form.index != 0

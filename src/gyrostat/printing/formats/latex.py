@@ -116,7 +116,7 @@ def formula(obj: Any, names: Names | None = None) -> str:
 @singledispatch
 def _formula(obj: Any, names: Names) -> str:
     results = import_module("..results.beyond_reports", __package__)  # what a report does without
-    if not isinstance(obj, results.RESULTS):
+    if not results.is_result(obj):
         raise ArgumentError("to_latex takes expressions, matrices and the library's own objects, not "
                         f"{type(obj).__name__}")
     lines = [_line(block, names) for block in results.result_blocks(obj)]

@@ -48,7 +48,7 @@ def plain(obj: Any) -> str:
     (π₃⁰ + l)² > 4 I₁ U′(1)
     """
     results = import_module("..results.beyond_reports", __package__)  # what a report does without
-    if not isinstance(obj, results.RESULTS):
+    if not results.is_result(obj):
         raise TypeError(f"{type(obj).__name__} is not shown as text: give an object of the library")
     return "\n".join(line.strip() for line in text(results.result_blocks(obj)).splitlines())
 

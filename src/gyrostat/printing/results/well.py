@@ -5,6 +5,7 @@ from typing import Any
 
 from ...equilibria.relative_equilibrium import RelativeEquilibrium
 from ...equilibria.well_columns import weakest_kick, weakest_tilt
+from ...equilibria.wells.frame import Frame
 from ...equilibria.wells.well import Well
 from ...mechanics.scenes.kind import Kind
 from ..blocks import Block, sentence
@@ -20,6 +21,19 @@ def well_blocks(well: Well | str, units: bool) -> list[Block]:
     return [sentence(said) for said in well_sentences(well, units)]
 
 
+def frame_blocks(frame: Frame) -> list[Block]:
+    """Write the sentences about the well in the frame of a rotation."""
+    if frame.barrier_double is None:
+        return [sentence(f"Well in its frame: {frame.reason}.")]
+    return [sentence(f"Well in its frame: {frame.barrier_double:.6g} up to the pass at "
+                     f"{_where(frame.passes[0])}."), *map(sentence, _over_it(frame.kick(), ""))]
+
+
+def blocks_without_units(well: Well) -> list[Block]:
+    """Write the same where it is not known whether the numbers are those of SI."""
+    return well_blocks(well, units=False)
+
+
 def well_sentences(well: Well | str, units: bool) -> list[str]:
     """Say what there is of a well, to six digits; a kick and a bound are rounded down.
 
@@ -30,7 +44,7 @@ def well_sentences(well: Well | str, units: bool) -> list[str]:
     barrier, joule, impulse = well.barrier_double, " J" if units else "", " N m s" if units else ""
     if barrier is None:
         least = "" if well.bound is None else f", and its barrier is at least {_short(well.bound)}{joule}"
-        return [f"Well: {well.reason}{least}."]
+        return [f"Well: {well.reason}{least}.", *_in_its_frame(well, impulse)]
     if math.isinf(barrier):
         return [f"Well: {well.reason}."]
     pass_ = f" at {_where(well.passes[0])}" if well.passes else ""
@@ -45,20 +59,21 @@ def well_sentences(well: Well | str, units: bool) -> list[str]:
                     "orbit, it stays too.")
     if well.damped:
         said.append("Under internal damping every motion inside comes back.")
-    return said
+    return said + _in_its_frame(well, impulse)
 
 
 def well_data(well: Well | str) -> dict[str, Any]:
     """The same as data for JSON; null for what is not known, or is infinite."""
     if isinstance(well, str):
-        return {**dict.fromkeys(("barrier", "escape", "at_least", "kick", "tilt", "damped")), "kind": "",
-                "held_at_every_energy": False, "passes": [], "beyond": [], "reason": well}
+        return {**dict.fromkeys(("barrier", "escape", "at_least", "kick", "any_kick", "tilt", "damped")),
+                "kind": "", "held_at_every_energy": False, "passes": [], "beyond": [], "reason": well}
     barrier, kick = well.barrier_double, weakest_kick(well)
     return {"barrier": _finite(barrier), "escape": _finite(well.escape_double), "kind": well.kind,
             "held_at_every_energy": barrier == math.inf, "at_least": well.bound,
             "passes": [e.doubles.place for e in well.passes],
             "beyond": [e.doubles.place for e in well.beyond],
-            "kick": _finite(kick), "tilt": weakest_tilt(well), "damped": well.damped, "reason": well.reason}
+            "kick": _finite(kick), "any_kick": _any_kick(well), "tilt": weakest_tilt(well),
+            "damped": well.damped, "reason": well.reason}
 
 
 def _which(well: Well) -> str:
@@ -66,6 +81,22 @@ def _which(well: Well) -> str:
     if well.line is not None:
         return "across its axis, about the line of nodes"
     return "in whatever direction" + (" across k" if well.rotation.scene.kind is Kind.FIELD else "")
+
+
+def _any_kick(well: Well) -> float | None:
+    return well.kick() if well.frame.found.passes else None
+
+
+def _in_its_frame(well: Well, unit: str) -> list[str]:
+    """What holds for kicks that change C1; it promises less, for other places to rest may lie inside."""
+    if (kick := _any_kick(well)) is None:
+        return []
+    return _over_it(kick, unit)
+
+
+def _over_it(kick: float, unit: str) -> list[str]:
+    return [f"Any kick of less than {_short(kick)}{unit} keeps k over its well in the frame that turns with "
+            "it, inside which there may be other places to rest."]
 
 
 def _where(found: RelativeEquilibrium) -> str:

@@ -1,13 +1,16 @@
 """The wells of the equilibria of a scene in closed form, at numbers, or why there is none."""
 from collections.abc import Mapping, Sequence
+from decimal import ROUND_FLOOR
 from typing import Any
 
-from sympy import Expr
+from sympy import Expr, pi
 
-from ...equilibria.wells.closed_forms import ClosedForm, closed_forms
+from ...algebra.text.numbers import exact_number
+from ...equilibria.wells.closed_forms import THETA, ClosedForm, closed_forms
 from ...errors import ScopeError
 from ...notation import symbol
-from ...printing.blocks import Block, Heading, prose
+from ...printing.blocks import Block, Heading, prose, sentence
+from ...printing.numbers import rounded
 from ...printing.results.closed_wells import closed_well_blocks
 from ...stability.report.report import Report
 
@@ -29,6 +32,21 @@ def wells_of(reports: Sequence[Report], numbers: Mapping[str, Expr]) -> Wells:
     if len(reasons) == len(found):
         raise ScopeError("; ".join(reasons) + ". Ask without the well, or give other numbers")
     return found
+
+
+def safe_kick(report: Report, values: Mapping[str, str]) -> list[Block]:
+    """The kick that a stable equilibrium survives, in a sentence, where a formula without a root has it.
+
+    Of a top without a pass it is the kick that keeps it within 10° of its place.
+    """
+    given = {symbol(name): exact_number(text, name) for name, text in values.items()}
+    for form in (form for known in closed_forms(report.equilibrium) if (form := known.at(given)) is not None):
+        if form.kick is None or (kick := form.kick.xreplace({THETA: pi / 18})).free_symbols:
+            continue
+        kept = " keeps it within 10° of its place." if THETA in form.kick.free_symbols else (
+            " does not take it out of its well.")
+        return [sentence("A kick of less than ", rounded(kick, ROUND_FLOOR), kept)]
+    return []
 
 
 def wells_blocks(found: Wells) -> list[Block]:

@@ -16,6 +16,7 @@ from ...printing.results.document import conditions_blocks, point_blocks, report
 from ...printing.results.normal_form import form_blocks
 from ...stability.report.report import Report
 from ..answers.between_criteria import between, between_blocks
+from ..answers.closed_wells import safe_kick
 from .chart_edges import edges
 from .chosen import EVERY, POINT, Chosen, chosen
 from .copies import latex, program, scene_file
@@ -38,7 +39,8 @@ def show(scene: Mapping[str, Any], want: str, *more: Any) -> dict[str, Any]:
         level: "every omega", "every pi3_0 C1"
     want : str
         one of WANTED: analysed (the equilibria, and the conditions of the one that is chosen), decided,
-        derived, opened (what decides between the conditions), copied, charted, edges, moving
+        derived, opened (what decides between the conditions), survived (a kick), copied, charted, edges,
+        moving
     *more : list
         of charted and edges the two axes, of edges the ends of each too
 
@@ -103,6 +105,13 @@ def _decided(asked: Chosen, given: Mapping[str, str]) -> Data:
     return {"verdict": decision.verdict.name, "damped": damped.verdict.name, "doubles": doubles(values),
             "blocks": typeset([*decision_blocks(decision, asked.equilibrium.at), reason_block(decision),
                                damped_block(decision, damped)])}
+
+
+def _survived(asked: Chosen, given: Mapping[str, str]) -> Data:
+    """The kick that a stable equilibrium survives, where a formula has it."""
+    values = _own(asked, given)
+    stable = not asked.every and asked.report.verdict(values).stable
+    return {"blocks": typeset(safe_kick(asked.report, values) if stable else [])}
 
 
 def _derived(asked: Chosen, _: Mapping[str, str]) -> Data:
@@ -181,6 +190,6 @@ def _own(asked: Chosen, given: Mapping[str, str]) -> dict[str, str]:
 
 _ANSWERS: Mapping[str, Callable[..., Data]] = {
     "analysed": _analysed, "decided": _decided, "derived": _derived, "opened": _opened,
-    "copied": _copied, "charted": _charted, "edges": _bounded, "moving": _moving}
+    "copied": _copied, "survived": _survived, "charted": _charted, "edges": _bounded, "moving": _moving}
 _MORE = {"charted": 1, "edges": 2}                     # the axes, and their ends
 WANTED = tuple(_ANSWERS)

@@ -6,16 +6,16 @@ from typing import Any
 from flint import arb
 from sympy import Matrix, oo
 
-from ...algebra.enclosures.balls import ball
-from ...algebra.enclosures.precision import own_precision
-from ...algebra.reals.exact import evaluate, sign_of_constant
-from ...algebra.text.numbers import exact_expression
-from ...errors import ScopeError, ValuesError
-from ...mechanics.scenes.kind import Kind
-from ...mechanics.scenes.principal_axes import principal_axes
-from ..relative_equilibrium import RelativeEquilibrium
-from .in_balls import BITS, form, in_balls, rows_in_balls
-from .tilts import TiltWell
+from ....algebra.enclosures.balls import ball
+from ....algebra.enclosures.precision import own_precision
+from ....algebra.reals.exact import evaluate, sign_of_constant
+from ....algebra.text.numbers import exact_expression
+from ....errors import ScopeError, ValuesError
+from ....mechanics.scenes.kind import Kind
+from ....mechanics.scenes.principal_axes import principal_axes
+from ...relative_equilibrium import RelativeEquilibrium
+from ..in_balls import BITS, form, in_balls, rows_in_balls
+from ..tilts import TiltWell
 
 LEAVES = "a kick along k changes C1, and the well with it: ask for those across k, level=True"
 SPHERE = "a kick changes the momentum sphere of a free body, and the well with it: ask for its barrier"
@@ -30,20 +30,21 @@ def keeps_its_level(rotation: RelativeEquilibrium, level: bool) -> None:
         raise ScopeError(LEAVES)
 
 
-def kick_below(rotation: RelativeEquilibrium, barrier: arb, direction: Sequence[Any] | None) -> float:
-    """Return the impulse √(2 B/(u·I⁻¹u)) along u, or the least of all; in a field of those across k.
+def kick_below(rotation: RelativeEquilibrium, barrier: arb, direction: Sequence[Any] | None, across: bool
+               ) -> float:
+    """Return the impulse √(2 B/(u·I⁻¹u)) along u, or the least of all; of those across k if that is asked.
 
     Raises
     ------
     ValuesError
-        the direction is none, or in a field not across k
+        the direction is none, or not across k
     """
-    body, field = rotation.scene.body, rotation.scene.kind is Kind.FIELD
+    body = rotation.scene.body
     with own_precision(BITS):
         inverse = rows_in_balls(body.inverse)
         if direction is not None:
-            stiffness = _along(rotation, direction, inverse, field)
-        elif field:
+            stiffness = _along(rotation, direction, inverse, across)
+        elif across:
             k = in_balls(rotation.directions[0])
             trace = sum((inverse[i][i] for i in range(3)), arb(0)) - form(inverse, k)
             product = form(rows_in_balls(body.tensor), k) / ball(body.tensor.det(), BITS)

@@ -6,17 +6,17 @@ from typing import Any
 from flint import arb
 from sympy import Expr, Poly, PolynomialError, pi
 
-from ...algebra.enclosures.balls import ball
-from ...algebra.enclosures.precision import own_precision
-from ...algebra.text.numbers import exact_expression
-from ...algebra.text.quantities import has_unit, quantity, text_of
-from ...algebra.text.units import ANGLE
-from ...errors import ScopeError, ValuesError
-from ...mechanics.scenes.kind import Kind
-from ...mechanics.scenes.potential import DIRECTIONS
-from ..relative_equilibrium import RelativeEquilibrium
+from ....algebra.enclosures.balls import ball
+from ....algebra.enclosures.precision import own_precision
+from ....algebra.text.numbers import exact_expression
+from ....algebra.text.quantities import has_unit, quantity, text_of
+from ....algebra.text.units import ANGLE
+from ....errors import ScopeError, ValuesError
+from ....mechanics.scenes.kind import Kind
+from ....mechanics.scenes.potential import DIRECTIONS
+from ...relative_equilibrium import RelativeEquilibrium
+from ..in_balls import BITS, dot, form, in_balls, rows_in_balls
 from .circles import Circle, least
-from .in_balls import BITS, dot, form, in_balls, rows_in_balls
 from .kicks import any_kick_below, kick_below
 
 ANGLES = 24                                            # of circles that are tried
@@ -113,7 +113,7 @@ def kick_within(rotation: RelativeEquilibrium, degrees: Expr | float | str, leve
     if not rise > 0:
         reason = f"no kick is known to keep it within {degrees}: V is no lower there than on circles round it"
         raise ScopeError(reason + ("" if level else "; ask for kicks that keep C1, level=True"))
-    return kick_below(rotation, rise, None) if level else any_kick_below(rotation, rise)
+    return kick_below(rotation, rise, None, True) if level else any_kick_below(rotation, rise)
 
 
 def _angle(degrees: Any) -> Expr:
