@@ -49,6 +49,7 @@ def of_three_moments(degree):
         scene = gs.assemble(gs.Gyrostat((1, 2, 3), rotor), gs.general_potential(GENERAL[degree]))
         yield plotting.draw_amended_potential(scene, {"C1": "5/2"}, space())
         if degree < 3:
+            yield plotting.draw_well(gs.relative_equilibria(scene, {"C1": "5/2"})[0], space())
             yield plotting.draw_bifurcation_diagram(scene, "omega", ("1/10", 2), {}, flat())
         if degree == 1:
             yield plotting.draw_staude_cone(scene, {}, space())
@@ -65,6 +66,8 @@ def without_a_field():
     yield plotting.draw_bifurcation_diagram(free, "l3", ("-1/2", 2), {"M": 1}, flat())
     yield plotting.draw_rotor_set(gs.assemble(gs.Gyrostat((1, 2, 3))), {"l3": 0, "M": 1}, flat())
     yield plotting.draw_cones((2, 1), 1, 2, space())
+    yield plotting.draw_well(next(e for e in gs.relative_equilibria(satellite, {}) if e.decision.stable),
+                             space())
     yield plotting.draw_attitudes(satellite, ax=space())
     yield plotting.draw_librations(moving, np.linspace(0, 20, 200), flat())
     yield plotting.draw_smelt_plane("1/2", bodies, flat())

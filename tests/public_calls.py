@@ -140,6 +140,7 @@ def verbs():
                                       {"I1": 2, "I3": 1, "l": 0, "m0": -1}, "ax": flat}),
         (p.draw_chart, {"ds": k.chart, "ax": flat}),
         (p.draw_cones, {"inertia": (2, 1), "transverse": 1, "axial": 2, "ax": space}),
+        (p.draw_well, {"rotation": gs.relative_equilibria(k.free, {"M": 1})[0], "ax": space}),
         (p.draw_effective_potential, {"scene": k.top, "values": {"I1": 1, "I3": "1/2", "l": 0, "m0": 1,
                                       "p_phi": 2, "p_psi": 3}, "energy": 10, "ax": flat}),
         (p.draw_eigenvalues, {"eq": k.upright, "name": "pi3_0", "samples": (0, 1, 2),
@@ -204,15 +205,14 @@ def methods():
         (r["Solution"].contains, {"values": {"I1": 1, "m0": 1, "pi3_0": 5, "l": 0}}),
         (cone.arcs, {"values": {}}),
         (k.top.integrals_at, {"state": (0, 0, 3, 0, 0, 1)}),
-        (gs.Verdict.of, {"stable": True}),
-        (r["charts.CertifiedChart"].at, {"pi3_0": 3}),
+        (gs.Verdict.of, {"stable": True}), (r["charts.CertifiedChart"].at, {"pi3_0": 3}),
         (r["charts.CompiledMargin"], {"I1": 1, "l": 0, "m0": 1, "pi3_0": [1.0, 3.0]}),
         (r["mechanics.Reduction"].square, {"U": s("k3")}),
         (k.motion, {"t": [0.0, 1.0]}), (k.motion.attitude, {"t": [0.0, 1.0]}),
         (k.motion.angles, {"t": [0.0, 1.0]}), (k.motion.drift, {"t": [0.0, 1.0]}),
         (k.motion.to_xarray, {"t": [0.0, 1.0], "pointing": (1, 2, 3)}),
         (known_libration().to_xarray, {"t": [0.0, 1.0], "pointing": (1, 2, 3)}),
-        (gs.table, {"found": gs.relative_equilibria(k.free, {"M": 1})}),
+        (gs.table, {"found": gs.relative_equilibria(k.free, {"M": 1}), "wells": True}),
         (gs.wheel_speeds, {"scene": k.spinning, "name": "s", "roll": 1, "directions": None, "unit": "rpm"})]
 
 

@@ -30,7 +30,7 @@ export class Entries {
     this.here = here;
     this.now = now;
     /** What the browser has, and what it will have. */
-    this.written = this.address = "";
+    this.written = this.address = this.scene = "";
     this.field = "";
     this.next = 0;
     this.fresh = false;
@@ -44,6 +44,7 @@ export class Entries {
    */
   arrived(address) {
     this.written = this.address = address;
+    this.scene = sceneOf(address);
     this.field = "";
     this.fresh = false;
   }
@@ -55,13 +56,14 @@ export class Entries {
    * the library has filled in what the visitor left open
    */
   follow(address, by) {
-    const other = sceneOf(address) !== sceneOf(this.address);
+    const scene = address === this.address ? this.scene : sceneOf(address), other = scene !== this.scene;
     if (other && by !== undefined && (by === "" || by !== this.field)) {
       if (!this.fresh && this.later !== undefined) this.before();
       this.fresh = true;
     }
     if (by !== undefined) this.field = by;
     this.address = address;
+    this.scene = scene;
     this.later ??= setTimeout(() => this.write(), by ? OFTEN : Math.max(0, this.next - this.now()));
   }
 

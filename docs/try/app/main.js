@@ -1,5 +1,5 @@
 // The page: what is asked stands in `asked`, what is answered in `answers`; every view is drawn from the two.
-import { typeset, word } from "../views/blocks.js";
+import { say, typeset, word } from "../views/blocks.js";
 import { Nearby } from "../views/body.js";
 import { Chart } from "../views/chart.js";
 import { fitted, placed } from "../views/sliders.js";
@@ -78,12 +78,13 @@ function update(pause = 0) {
   const reading = answers.waiting("decided"), { answer, question } = answers.answered.decided ?? {};
   chart.follow(reading);
   nearby.follow(reading);
-  at("here").textContent = answer?.verdict
-    ? `${asked.axes.map((name) => `${name} = ${question.values[name]}`).join(", ")}: ${word(answer.verdict)}` : "";
+  say(at("here"), answer?.verdict
+    ? `${asked.axes.map((name) => `${name} = ${question.values[name]}`).join(", ")}: ${word(answer.verdict)}` : "");
   entries.follow(link(asked));
   modes.follow();
   const early = KINDS.some((kind) => answers.of(kind) && answers.answered[kind].prepared);
   at("early").hidden = !early;
+  document.body.classList.toggle("early", early);
   sharing.follow(mark() || early);
 }
 

@@ -1,4 +1,5 @@
 // How the page is shown: whole, as a part of another page, or in a lecture, in large letters.
+import { say } from "../views/blocks.js";
 import { address, title } from "./sharing.js";
 import { line } from "./scene.js";
 
@@ -29,7 +30,7 @@ export class Modes {
     const { asked } = this, { dataset } = document.documentElement;
     if (MODES.includes(asked.show)) dataset.show = asked.show;
     else delete dataset.show;
-    at("titled").textContent = title() || line(asked);
+    say(at("titled"), title() || line(asked));
     if (asked.show === "embed") at("titled").href = address(asked, "");
     else at("titled").removeAttribute("href");
   }

@@ -1,8 +1,10 @@
 // The body as it moves near the equilibrium, seen from outside; its numbers in doubles.
 import { possible } from "../app/numbers.js";
 import { names } from "../app/state.js";
+import { say } from "./blocks.js";
 import { BodyMotion, VIEW } from "./body-motion.js";
 import { paint } from "./body-picture.js";
+import { cleared } from "./canvas.js";
 import { DARK, LIGHT } from "./colours.js";
 import { turning } from "./hands.js";
 import { sliders } from "./sliders.js";
@@ -12,11 +14,6 @@ const WORK = 4;                                         // milliseconds of a fra
 const READ = 100;                                       // milliseconds in which numbers are read
 const FRAME = 1000 / 60, LONGEST = 3;                   // milliseconds; as many frames a slow one makes good
 const SPARING = 2.5 * FRAME;                            // milliseconds between pictures while files come
-
-/** @param {Element} place @param {string} text */
-function say(place, text) {
-  if (place.textContent !== text) place.textContent = text;
-}
 
 export class Nearby {
   /**
@@ -39,7 +36,6 @@ export class Nearby {
     this.state = find("#state");
     this.drawn = find(".drawn");
     this.caption = find("#seen");
-    this.context = this.canvas.getContext("2d");
     this.view = VIEW;
     this.verdict = "";
     this.moved = new BodyMotion(undefined);
@@ -219,13 +215,10 @@ export class Nearby {
   }
 
   paint() {
-    const { canvas, context, picture, size } = this, sharp = devicePixelRatio;
+    const { picture, size, colours } = this;
     this.fresh = false;
     if (!picture || !size) return;
-    if (canvas.width !== Math.round(size * sharp)) canvas.width = canvas.height = Math.round(size * sharp);
-    context.setTransform(sharp, 0, 0, sharp, 0, 0);
-    context.clearRect(0, 0, size, size);
-    paint(context, size, picture, this.colours);
+    paint(cleared(this.canvas, size), size, picture, colours);
     if (this.running && this.moved.flight && performance.now() < this.told + READ) return;
     this.told = performance.now();
     say(this.state, this.moved.said());

@@ -2,7 +2,8 @@
 import { notice, reload } from "../app/notices.js";
 import { possible } from "../app/numbers.js";
 import { paired } from "./axes.js";
-import { element } from "./blocks.js";
+import { element, say } from "./blocks.js";
+import { cleared } from "./canvas.js";
 import { handled } from "./chart-hands.js";
 import { paint, placed, shares } from "./plot.js";
 import { Regions, SIZE } from "./regions.js";
@@ -117,7 +118,7 @@ export class Chart {
       .map((/** @type {string} */ name) => [name, this.value(name)]);
     const unread = needed.some(([, value]) => !Number.isFinite(value));
     const refused = this.refused(answer, unread && !reading), ends = this.scales().map((scale) => scale.ends);
-    this.why.textContent = refused;
+    say(this.why, refused);
     this.drawn.hidden = Boolean(refused);
     const zoomed = this.scales().some((scale) => String(scale.ends) !== String(scale.whole));
     this.whole.hidden = Boolean(refused) || !zoomed;
@@ -179,18 +180,15 @@ export class Chart {
     const drawing = JSON.stringify([shown, answers.waiting("edges"), plot.here, size, sharp]);
     if (drawing === this.drawing) return;
     this.drawing = drawing;
-    this.canvas.width = this.canvas.height = Math.round(size * sharp);
-    const context = this.canvas.getContext("2d");
-    context.scale(sharp, sharp);
-    paint(context, size, plot, this.colours);
+    paint(cleared(this.canvas, size), size, plot, this.colours);
     this.say(plot);
   }
 
   /** The same in words. @param {Plot} plot */
   say({ axes: [{ ends: [left, right] }, { ends: [low, high] }], here }) {
     const [across, upwards] = this.asked.axes, error = this.answers.of("edges")?.error;
-    this.ends.textContent = `${across} from ${left} to ${right} across, `
-      + `${upwards} from ${low} to ${high} upwards` + (error ? `; no boundary is drawn: ${error}` : "");
+    say(this.ends, `${across} from ${left} to ${right} across, ${upwards} from ${low} to ${high} upwards`
+      + (error ? `; no boundary is drawn: ${error}` : ""));
     this.canvas.ariaLabel = `Chart of the verdict, ${across} across and ${upwards} upwards. The ring is at `
       + `${across} = ${here[0]}, ${upwards} = ${here[1]}. Arrow keys move it, + and - zoom.`;
   }

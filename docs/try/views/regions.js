@@ -13,6 +13,7 @@ export class Regions {
   constructor(settled, failed) {
     this.settled = settled;
     this.image = element("canvas", { width: SIZE, height: SIZE });
+    this.data = new ImageData(SIZE, SIZE);
     /** @type {number[][]} */
     this.colours = [];
     /** @type {Uint8Array | null} */
@@ -79,8 +80,8 @@ export class Regions {
   paint(canvas) {
     if (!this.codes || !this.colours.length) return;
     const inks = new Uint32Array(new Uint8Array(this.colours.flat()).buffer);
-    const pixels = new Uint32Array(SIZE * SIZE);
-    for (let n = 0; n < pixels.length; n++) pixels[n] = inks[this.codes[n]];
-    canvas.getContext("2d")?.putImageData(new ImageData(new Uint8ClampedArray(pixels.buffer), SIZE), 0, 0);
+    const { codes, data } = this, pixels = new Uint32Array(data.data.buffer);
+    for (let n = 0; n < pixels.length; n++) pixels[n] = inks[codes[n]];
+    canvas.getContext("2d")?.putImageData(data, 0, 0);
   }
 }

@@ -59,16 +59,16 @@ function row({ name, tex, meaning }, asked, changed) {
 
 /** Texts as they are asked, the spin's other number too, and sliders there. @param {Element} place @param {Asked} asked */
 export function placed(place, { scales, values }) {
-  for (const row of /** @type {NodeListOf<HTMLElement>} */ (place.querySelectorAll(".value"))) {
-    const text = /** @type {HTMLInputElement} */ (row.querySelector("[id]")), name = text.id.slice(6);
-    const slider = /** @type {HTMLInputElement} */ (row.querySelector("[type=range]"));
+  for (const row of /** @type {Iterable<HTMLElement>} */ (place.children)) {
+    const [, text, slider] = /** @type {Iterable<any>} */ (row.children), name = text.id.slice(6);
     const { ends } = /** @type {import("./scales.js").Scale} */ (scales.get(name));
     if (text.value !== values[name]) text.value = values[name];
     const value = number(name, text.value);
     [row.dataset.low, row.dataset.high] = ends.map(String);
     slider.max = String(steps(ends));
     if (!Number.isFinite(value)) continue;
-    slider.value = String(stepOf(ends, value));
+    const step = String(stepOf(ends, value));
+    if (slider.value !== step) slider.value = step;
     slider.ariaValueText = written(Number(value.toPrecision(4)));
   }
 }

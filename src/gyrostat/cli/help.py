@@ -87,6 +87,12 @@ KINDS = {
     "eigenvalues": (
         "the spectrum of an equilibrium along a parameter",
         "Draws the eigenvalues of an equilibrium along a parameter, and where they collide."),
+    "well": (
+        "the well of a stable equilibrium, filled up to its lowest pass",
+        "Draws the well of a stable equilibrium, which decide --well describes, filled up to its lowest "
+        "pass: where in a body the vertical stays at every energy below that, of a free body the angular "
+        "momentum, of a satellite the vertical and the normal of its orbit; of a body of revolution V over "
+        "its tilt."),
     "cones": (
         "body cone and space cone of a free body of revolution",
         "Draws the body cone rolling on the space cone of a free body of revolution."),

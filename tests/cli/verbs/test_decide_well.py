@@ -74,7 +74,7 @@ def test_csv_has_the_columns_of_the_table(capsys, asked):
         decide(capsys, *asked, "--well", "--format", "json")[1])["equilibria"]]
     for row, well in zip(rows, wells, strict=True):
         for name, key in (("barrier", "barrier"), ("escape", "escape"), ("kick", "kick"),
-                          ("tilt_deg", "tilt"), ("barrier_at_least", "at_least")):
+                          ("any_kick", "any_kick"), ("tilt_deg", "tilt"), ("barrier_at_least", "at_least")):
             number = float(row[name]) if row[name] else None
             assert (None if number == math.inf else number) == well[key], name
         assert (row["barrier"] == "inf") == well["held_at_every_energy"]

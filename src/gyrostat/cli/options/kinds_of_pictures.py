@@ -8,8 +8,8 @@ from .scene_options import a_motion, a_scene, an_equilibrium, claimed_point, num
 def kinds_of_pictures(plot: Parser) -> list[Parser]:
     """Declare the pictures, each with its options."""
     kinds = plot.add_subparsers(dest="kind", required=True, metavar="KIND")
-    (sphere, nutation, well, branches, rotors, staude, plane, amended, diagram, eigenvalues, cones, attitudes,
-     librations, smelt) = (
+    (sphere, nutation, effective, branches, rotors, staude, plane, amended, diagram, eigenvalues, well, cones,
+     attitudes, librations, smelt) = (
         kinds.add_parser(name, help=line, description=sentences, formatter_class=Formatter)
         for name, (line, sentences) in KINDS.items())
     scene_file(sphere)
@@ -20,8 +20,8 @@ def kinds_of_pictures(plot: Parser) -> list[Parser]:
     for kind in nutation, librations:
         a_motion(kind)
         kind.set_defaults(precision=None)
-    a_scene(well, "I1, I3, l, the names in U, p_phi and p_psi", "required")
-    well.add_argument("--energy", metavar="H", help="draw the motion at this energy, too")
+    a_scene(effective, "I1, I3, l, the names in U, p_phi and p_psi", "required")
+    effective.add_argument("--energy", metavar="H", help="draw the motion at this energy, too")
     a_scene(branches, "I1, I3, l, omega and the names in U, or I1, I2, I3, l1, l2, l3 and M, except the name "
            "of the axis", "none for a free gyrostat; required")
     branches.add_argument("--x", metavar="NAME=LOW:HIGH", required=True,
@@ -43,6 +43,10 @@ def kinds_of_pictures(plot: Parser) -> list[Parser]:
     eigenvalues.add_argument("--x", metavar="NAME=LOW:HIGH[:COUNT]", required=True,
                              help="the parameter, its range in either direction, and how many values; "
                              "default: 200")
+    a_scene(well, "as for decide: those of all names, and C1, omega, M, … of the motion")
+    well.add_argument("--number", type=int, metavar="N",
+                      help="which equilibrium, by its number in the table of decide; default: the first that "
+                      "has a well")
     numbers(cones, "I1 and I3")
     cones.add_argument("--transverse", metavar="W", required=True,
                        help="the angular velocity across the axis")

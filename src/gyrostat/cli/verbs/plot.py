@@ -8,10 +8,13 @@ from sympy import Expr
 
 from ... import plotting
 from ...algebra.text.numbers import exact_number
+from ...equilibria.finders.revolution_form import RevolutionForm
 from ...errors import ValuesError
 from ...mechanics.families.scene_tables import NONE
 from ...mechanics.scenes.system import System
 from ...notation import symbol
+from ...plotting.filled_well import facing
+from ...questions.answers.answers import Answer, answers_at
 from ...questions.answers.equilibria import report_for
 from ...questions.given_numbers import numbers_of, one_spin
 from ...questions.scene_texts import Asked, pointing_of, scene_of
@@ -111,6 +114,27 @@ def _eigenvalues(given: argparse.Namespace, numbers: Numbers, figure: Any) -> st
     return _unusual(eq.system, numbers)
 
 
+def _well(given: argparse.Namespace, numbers: Numbers, figure: Any) -> str:
+    asked = asked_of(given, numbers)
+    answers = answers_at(asked, None, numbers)
+    found = [a.found if isinstance(a, Answer) and a.listed else None for a in answers]
+    if given.number is None:
+        chosen = next((e for e in found if e and e.decision.stable and e.well.barrier is not None), None)
+    elif 1 <= given.number <= len(found):
+        chosen = found[given.number - 1]
+    else:
+        raise ValuesError(f"--number is {given.number}, and the list has {len(found)}: give one of those "
+                          "that gyrostat decide --well lists")
+    if chosen is None:
+        raise ValuesError("no well of these equilibria is known: gyrostat decide --well says why")
+    flat = isinstance(chosen.form, RevolutionForm)
+    ax = figure.subplots() if flat else figure.add_subplot(projection="3d")
+    if not flat:
+        ax.view_init(*facing(chosen))
+    plotting.draw_well(chosen, ax)
+    return _unusual(scene_of(asked), numbers)
+
+
 def _cones(given: argparse.Namespace, numbers: Numbers, figure: Any) -> str:
     transverse, axial = exact_number(given.transverse, "--transverse"), exact_number(given.axial, "--axial")
     if numbers.keys() != {"I1", "I3"}:
@@ -175,5 +199,5 @@ DRAWN: dict[str, Drawing] = {
     "bifurcations": _bifurcations, "rotor-set": _rotor_set,
     "staude-cone": _of_field(plotting.draw_staude_cone, **SPACE), "staude-plane": _staude_plane,
     "amended-potential": _of_field(plotting.draw_amended_potential, **SPACE),
-    "energy-momentum": _of_field(plotting.draw_energy_momentum), "eigenvalues": _eigenvalues, "cones": _cones,
-    "attitudes": _attitudes, "librations": _librations, "smelt-plane": _smelt_plane}
+    "energy-momentum": _of_field(plotting.draw_energy_momentum), "eigenvalues": _eigenvalues, "well": _well,
+    "cones": _cones, "attitudes": _attitudes, "librations": _librations, "smelt-plane": _smelt_plane}

@@ -99,6 +99,10 @@ class Landscape:
         """Return V at vectors of doubles, shape (..., 3) or (..., 4)."""
         return self._value(list(np.moveaxis(np.asarray(x, dtype=float), -1, 0)), self._doubles)
 
+    def of_directions(self, y: Sequence[Any]) -> Any:
+        """Return V of a satellite at components of n and r in doubles, in place of a quaternion."""
+        return self._doubles[0].at(y)
+
     def _value(self, x: Sequence[Any], terms: Sequence[Terms]) -> Any:
         polynomial, *twist = terms
         square = sum((c * c for c in x[1:]), x[0] * x[0])
