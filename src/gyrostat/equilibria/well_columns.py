@@ -1,6 +1,7 @@
 """The well of a relative equilibrium as columns of a table, with its weakest kick and tilt."""
 from typing import Any
 
+from ..errors import ScopeError
 from ..mechanics.families.circular_orbit import by_gradient_alone
 from ..mechanics.scenes.kind import Kind
 from .wells.well import Well
@@ -16,9 +17,12 @@ def well_columns(well: Well) -> dict[str, Any]:
 
 def weakest_kick(well: Well) -> float | None:
     """Return the kick below which it stays whatever the direction, in a field across k; None if unknown."""
-    kind = well.rotation.scene.kind
-    known = well.barrier_double is not None and kind is not Kind.FREE
-    return well.kick(level=kind is not Kind.ORBIT) if known else None
+    if well.barrier_double is None:
+        return None
+    try:
+        return well.kick(level=well.rotation.scene.kind is not Kind.ORBIT)
+    except ScopeError:                                     # of a free body that does not spin about an axis
+        return None
 
 
 def any_kick(well: Well) -> float | None:
