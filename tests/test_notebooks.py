@@ -44,6 +44,7 @@ CHANGED = [                 # what is put instead of what is written, and words 
      ("wheel at 450 rpm", "at 183.00 rpm (pitchfork)", "period 28.10 s")),
     ("which-rotations", {'(0, "1/2", 1), 2': '(0, "1/3", 1), 3'}, ("$\\omega = 3$",)),
     ("is-my", {'rate="600 rpm"': 'rate="300 rpm"', '"52 kg m^2"': '"53 kg m^2"'}, ("13.9 in the units",)),
+    ("how-hard", {"(60, 70, 35)": "(60, 80, 50)"}, ("energy is 1.5 times the barrier",)),
     ("which-are", {'("3/10", "1/5", "1/10")': '("1/50", "3/100", "1/25")'}, ("with the wheel 24",)),
     ("what-does-the", {'"l": "1/2"': '"l": "1/4"'}, ("$l = 1/4$",)),
 ]
@@ -131,7 +132,7 @@ class TestNotebook:
 
 
 def test_the_index_has_the_order_that_the_notebooks_say():
-    """Notebook n of 14 is the nth of its list, and of its pages."""
+    """Notebook n of 15 is the nth of its list, and of its pages."""
     page = (Path(__file__).parents[1] / "docs" / "notebooks" / "index.md").read_text(encoding="utf-8")
     said = {int(re.search(r"Notebook (\d+) of (\d+)", path.read_text(encoding="utf-8"))[1]): path.stem
             for path in NOTEBOOKS}

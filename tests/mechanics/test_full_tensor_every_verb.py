@@ -68,6 +68,8 @@ ANSWERED = {
     "draw_eigenvalues": lambda: gs.plotting.draw_eigenvalues(gs.upright(HEAVY), "pi3_0", [0, 1], {}),
     "release": lambda: gs.release(gs.assemble(
         gs.Gyrostat(TENSOR, (-1, 3, 0)), gs.circular_orbit(1)), (0, 0, 0)),
+    "draw_well": lambda: gs.plotting.draw_well(next(e for e in gs.relative_equilibria(gs.assemble(
+        gs.Gyrostat(TENSOR, (1, 0, 0))), {"M": 2}) if e.well.barrier_double)),
     "draw_librations": lambda: gs.plotting.draw_librations(gs.trajectories.motion(gs.assemble(
         gs.Gyrostat(TENSOR, (-1, 3, 0)), gs.circular_orbit(1)), (0, 5, 0, 0, 1, 0, 0, 0, 1)), [0, 1]),
     "draw_nutation": lambda: gs.plotting.draw_nutation(

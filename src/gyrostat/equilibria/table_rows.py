@@ -32,7 +32,8 @@ def table(found: Sequence[RelativeEquilibrium], wells: bool = False) -> list[dic
 
     - barrier and escape [M L²/T²], infinite without a pass; barrier_at_least, if only a bound is known
     - pass_kind; passes, how many there are; pass_k1, …: the place of the first one
-    - kick, in whatever direction, of a body in a field across k [M L²/T]; tilt_deg of a satellite
+    - kick, in whatever direction, of a body in a field across k [M L²/T]; any_kick, which keeps k over the
+      well of the frame that turns with it; tilt_deg of a satellite
     - well_damped: whether damped motions come back; well_reason: why there is no barrier
 
     Parameters

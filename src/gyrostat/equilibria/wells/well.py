@@ -14,7 +14,8 @@ from ...mechanics.scenes.kind import Kind
 from .basin import Basin
 from .contained import contained
 from .damped import comes_back
-from .disturbances.kicks import about_the_nodes, below, keeps_its_level, kick_below, tilt_below
+from .disturbances.kicks import about_the_nodes, below, kick_below, tilt_below
+from .disturbances.spin_kicks import spin_kick
 from .disturbances.within import kick_within
 from .frame import Frame, frame_of
 from .in_balls import BITS
@@ -41,7 +42,8 @@ class Well(Basin):
 
         In a field a kick along k changes C1, and the well with it. What is returned without level is then
         that of the frame: below it k stays over the well of the frame for ever. That is not to say that the
-        motion comes back: other places to rest may lie inside, on other levels of C1.
+        motion comes back: other places to rest may lie inside, on other levels of C1. A free body stays in
+        the well of the sphere of M that it is kicked to, about the same axis.
 
         Parameters
         ----------
@@ -71,9 +73,10 @@ class Well(Basin):
             return self.frame.kick(direction)
         if self.barrier_double is None:
             raise ScopeError(f"no kick is known to be small enough: {self.reason}")
-        keeps_its_level(self.rotation, level)
         if self.line is not None:
-            return about_the_nodes(self.line, direction)
+            return about_the_nodes(self.line, direction, level)
+        if kind is Kind.FREE:
+            return spin_kick(self.rotation, direction)
         return kick_below(self.rotation, self.heights[self.found.passes[0]], direction, kind is Kind.FIELD)
 
     def within(self, degrees: Any, level: bool = False) -> float:

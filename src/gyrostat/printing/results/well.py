@@ -4,7 +4,7 @@ from decimal import ROUND_FLOOR, Context
 from typing import Any
 
 from ...equilibria.relative_equilibrium import RelativeEquilibrium
-from ...equilibria.well_columns import weakest_kick, weakest_tilt
+from ...equilibria.well_columns import any_kick, weakest_kick, weakest_tilt
 from ...equilibria.wells.frame import Frame
 from ...equilibria.wells.well import Well
 from ...mechanics.scenes.kind import Kind
@@ -72,7 +72,7 @@ def well_data(well: Well | str) -> dict[str, Any]:
             "held_at_every_energy": barrier == math.inf, "at_least": well.bound,
             "passes": [e.doubles.place for e in well.passes],
             "beyond": [e.doubles.place for e in well.beyond],
-            "kick": _finite(kick), "any_kick": _any_kick(well), "tilt": weakest_tilt(well),
+            "kick": _finite(kick), "any_kick": any_kick(well), "tilt": weakest_tilt(well),
             "damped": well.damped, "reason": well.reason}
 
 
@@ -83,13 +83,9 @@ def _which(well: Well) -> str:
     return "in whatever direction" + (" across k" if well.rotation.scene.kind is Kind.FIELD else "")
 
 
-def _any_kick(well: Well) -> float | None:
-    return well.kick() if well.frame.found.passes else None
-
-
 def _in_its_frame(well: Well, unit: str) -> list[str]:
     """What holds for kicks that change C1; it promises less, for other places to rest may lie inside."""
-    if (kick := _any_kick(well)) is None:
+    if (kick := any_kick(well)) is None:
         return []
     return _over_it(kick, unit)
 
