@@ -78,7 +78,8 @@ def test_csv_has_the_columns_of_the_table(capsys, asked):
     for row, well in zip(rows, wells, strict=True):
         for name, key in (("barrier", "barrier"), ("escape", "escape"), ("kick", "kick"),
                           ("any_kick", "any_kick"),
-                          ("damped_kick", "damped_kick"), ("tilt_deg", "tilt"), ("barrier_at_least", "at_least")):
+                          ("damped_kick", "damped_kick"), ("tilt_deg", "tilt"),
+                          ("barrier_at_least", "at_least")):
             number = float(row[name]) if row[name] else None
             assert (None if number == math.inf else number) == well[key], name
         assert (row["barrier"] == "inf") == well["held_at_every_energy"]
