@@ -57,6 +57,9 @@ def test_as_data(capsys):
     assert "not stable" in wells[1]["reason"] and "gyroscopic" in wells[2]["reason"]
     _, out, _ = decide(capsys, *TOP, "omega=3/2", "--well", "--format", "json")
     well = json.loads(out)["equilibria"][0]["well"]
+    assert well["damped_kick"] == pytest.approx(0.683180011755643, rel=1e-14)
+    assert "kick across its axis of less than 0.68318 does" in " ".join(decide(
+        capsys, *TOP, "omega=3/2", "--well")[1].split())
     assert well["held_at_every_energy"] is True and well["barrier"] is None and "no pass" in well["reason"]
 
 
@@ -74,7 +77,9 @@ def test_csv_has_the_columns_of_the_table(capsys, asked):
         decide(capsys, *asked, "--well", "--format", "json")[1])["equilibria"]]
     for row, well in zip(rows, wells, strict=True):
         for name, key in (("barrier", "barrier"), ("escape", "escape"), ("kick", "kick"),
-                          ("any_kick", "any_kick"), ("tilt_deg", "tilt"), ("barrier_at_least", "at_least")):
+                          ("any_kick", "any_kick"),
+                          ("damped_kick", "damped_kick"), ("tilt_deg", "tilt"),
+                          ("barrier_at_least", "at_least")):
             number = float(row[name]) if row[name] else None
             assert (None if number == math.inf else number) == well[key], name
         assert (row["barrier"] == "inf") == well["held_at_every_energy"]

@@ -28,7 +28,7 @@ def contained(rotation: RelativeEquilibrium, paths: Paths, height: arb, state: S
     names = rotation.scene.space.coordinates
     if len(state) != len(names):
         raise ValuesError(f"the state has {len(state)} numbers: give {', '.join(map(str, names))}")
-    exact = [exact_expression(value, "state") for value in state]
+    exact = [exact_expression(value, str(name)) for name, value in zip(names, state)]
     return inside(rotation, paths, height, [ball(x, BITS) for x in exact])
 
 

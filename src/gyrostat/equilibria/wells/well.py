@@ -22,6 +22,7 @@ from .disturbances.within import kick_within
 from .frame import Frame, frame_of
 from .in_balls import BITS
 from .joining import Tree, tree
+from .tilts import TiltWell, tilt_well
 
 TILTS = "the tilt alone moves; ask for its barrier, or for an angle"
 
@@ -38,6 +39,11 @@ class Well(Basin):
     def frame(self) -> Frame:
         """The well in the frame that turns with a rotation of a body in a field, which bounds every kick."""
         return frame_of(self.rotation)
+
+    @cached_property
+    def under_damping(self) -> TiltWell | None:
+        """The well of a body of revolution under internal damping, which keeps C1 alone; None of others."""
+        return None if self.line is None else tilt_well(self.rotation, damped=True)
 
     def kick(self, direction: Sequence[Any] | None = None, level: bool = False) -> float:
         """Return the impulse of a torque below which the motion stays in the well, rounded down.
