@@ -1,7 +1,8 @@
 // One archive of the runtime in a thread of its own: fetched, compared with its hash, unpacked, and kept so where the
 // browser lets a page keep something. The thread beside it starts Python meanwhile.
 
-const decoder = import(new URL("../runtime/xz.js", import.meta.url).href);
+/** What is kept is unpacked already, and needs no decoder. */
+const decoder = () => import(new URL("../runtime/xz.js", import.meta.url).href);
 
 /** @param {string} name @param {string} integrity */
 const key = (name, integrity) => new URL(`../${name}?${integrity}`, self.location.href).href;
@@ -23,7 +24,7 @@ async function brought(name, integrity) {
   const store = await self.caches?.open("gyrostat").catch(() => undefined);
   const kept = await store?.match(key(name, integrity));
   const ready = kept?.headers.has("unpacked") ? kept : undefined;
-  const data = await (ready ?? await opened(kept ?? await fetched(name, integrity), integrity)).arrayBuffer();
+  const data = await (ready ?? await opened(kept ?? fetched(name, integrity), integrity, decoder())).arrayBuffer();
   const unpacked = ready ? null : new Response(data, { headers: { unpacked: "" } });
   const files = placed(data), compiling = compiled(files);              // of copies of their bytes
   postMessage({ files }, [data]);
@@ -71,10 +72,11 @@ async function fetched(name, integrity) {
 
 /**
  * The content of an archive, whose hash is compared when it is whole.
- * @param {Response} response
+ * @param {Response | Promise<Response>} coming
  * @param {string} integrity
+ * @param {Promise<any>} decoder
  */
-async function opened(response, integrity) {
+async function opened(coming, integrity, decoder) {
   /** @type {Uint8Array<ArrayBuffer>[]} */
   const chunks = [];
   let got = 0;
@@ -85,7 +87,7 @@ async function opened(response, integrity) {
       postMessage({ got });
       controller.enqueue(chunk.slice());                // the decoder may keep what it is given
     } });
-  await decoder;
+  const [response] = await Promise.all([coming, decoder]);
   const { XzReadableStream } = /** @type {any} */ (self)["xz-decompress"];
   const data = await new Response(new XzReadableStream(response.body?.pipeThrough(counted))).arrayBuffer();
   const hash = await self.crypto.subtle?.digest("SHA-256", await new Blob(chunks).arrayBuffer());

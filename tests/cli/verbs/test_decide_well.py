@@ -57,6 +57,9 @@ def test_as_data(capsys):
     assert "not stable" in wells[1]["reason"] and "gyroscopic" in wells[2]["reason"]
     _, out, _ = decide(capsys, *TOP, "omega=3/2", "--well", "--format", "json")
     well = json.loads(out)["equilibria"][0]["well"]
+    assert well["damped_kick"] == pytest.approx(0.683180011755643, rel=1e-14)
+    assert "kick across its axis of less than 0.68318 does" in " ".join(decide(
+        capsys, *TOP, "omega=3/2", "--well")[1].split())
     assert well["held_at_every_energy"] is True and well["barrier"] is None and "no pass" in well["reason"]
 
 
@@ -74,7 +77,9 @@ def test_csv_has_the_columns_of_the_table(capsys, asked):
         decide(capsys, *asked, "--well", "--format", "json")[1])["equilibria"]]
     for row, well in zip(rows, wells, strict=True):
         for name, key in (("barrier", "barrier"), ("escape", "escape"), ("kick", "kick"),
-                          ("any_kick", "any_kick"), ("tilt_deg", "tilt"), ("barrier_at_least", "at_least")):
+                          ("any_kick", "any_kick"),
+                          ("damped_kick", "damped_kick"), ("tilt_deg", "tilt"),
+                          ("barrier_at_least", "at_least")):
             number = float(row[name]) if row[name] else None
             assert (None if number == math.inf else number) == well[key], name
         assert (row["barrier"] == "inf") == well["held_at_every_energy"]
@@ -101,7 +106,7 @@ def test_latex_says_it_below_the_stable_ones_and_compiles(capsys, tmp_path):
 
 @pytest.mark.parametrize(("asked", "barrier", "kick"), [
     (["--equilibrium", "axis 3", "--potential", "none", "--inertia", "1,2,3", "--gyrostatic-momentum",
-      "0,0,1/4", "--set", "omega3_0=1/4"], 3 / 16, None),      # l = 1/4, abs(M) = 1: theory of planes
+      "0,0,1/4", "--set", "omega3_0=1/4"], 3 / 16, 3 / 4),      # l = 1/4, abs(M) = 1: theory of planes
     (["--equilibrium", "earth-pointing", "--orbit", "1", "--inertia", "60,70,35", "--gyrostatic-momentum",
       "0,5,0"], 45 / 4, math.sqrt(2 * 45 / 4 * 35)),
     (["--point", "0,0,0,0,0,-1", "--potential", "k3", "--inertia", "1,2,3", *STILL], 2, 2)])
@@ -110,7 +115,7 @@ def test_one_that_is_named_has_the_well_of_its_list(capsys, asked, barrier, kick
     _, out, _ = decide(capsys, *asked, "--well", "--format", "json")
     [found] = json.loads(out)["equilibria"]
     assert found["well"]["barrier"] == pytest.approx(barrier, rel=1e-14) and found["place"] == {}
-    assert found["well"]["kick"] == (kick and pytest.approx(kick, rel=1e-14))
+    assert found["well"]["kick"] == pytest.approx(kick, rel=1e-14)
     assert f"Well: {barrier:.6g} up to the pass" in decide(capsys, *asked, "--well")[1]
     _, out, _ = decide(capsys, *asked, "--well", "--format", "csv")
     assert float(next(csv.DictReader(io.StringIO(out)))["barrier"]) == found["well"]["barrier"]

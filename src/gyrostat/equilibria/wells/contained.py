@@ -28,7 +28,7 @@ def contained(rotation: RelativeEquilibrium, paths: Paths, height: arb, state: S
     names = rotation.scene.space.coordinates
     if len(state) != len(names):
         raise ValuesError(f"the state has {len(state)} numbers: give {', '.join(map(str, names))}")
-    exact = [exact_expression(value, "state") for value in state]
+    exact = [exact_expression(value, str(name)) for name, value in zip(names, state)]
     with own_precision(BITS):
         place, excess = _rest(rotation, [ball(x, BITS) for x in exact])
         energy = paths.landscape.value(place) + excess

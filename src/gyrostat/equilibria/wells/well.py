@@ -14,11 +14,13 @@ from ...mechanics.scenes.kind import Kind
 from .basin import Basin
 from .contained import contained
 from .damped import comes_back
-from .disturbances.kicks import about_the_nodes, below, keeps_its_level, kick_below, tilt_below
+from .disturbances.kicks import about_the_nodes, below, kick_below, tilt_below
+from .disturbances.spin_kicks import spin_kick
 from .disturbances.within import kick_within
 from .frame import Frame, frame_of
 from .in_balls import BITS
 from .joining import Tree, tree
+from .tilts import TiltWell, tilt_well
 
 TILTS = "the tilt alone moves; ask for its barrier, or for an angle"
 
@@ -36,12 +38,18 @@ class Well(Basin):
         """The well in the frame that turns with a rotation of a body in a field, which bounds every kick."""
         return frame_of(self.rotation)
 
+    @cached_property
+    def under_damping(self) -> TiltWell | None:
+        """The well of a body of revolution under internal damping, which keeps C1 alone; None of others."""
+        return None if self.line is None else tilt_well(self.rotation, damped=True)
+
     def kick(self, direction: Sequence[Any] | None = None, level: bool = False) -> float:
         """Return the impulse of a torque below which the motion stays in the well, rounded down.
 
         In a field a kick along k changes C1, and the well with it. What is returned without level is then
         that of the frame: below it k stays over the well of the frame for ever. That is not to say that the
-        motion comes back: other places to rest may lie inside, on other levels of C1.
+        motion comes back: other places to rest may lie inside, on other levels of C1. A free body stays in
+        the well of the sphere of M that it is kicked to, about the same axis.
 
         Parameters
         ----------
@@ -71,9 +79,10 @@ class Well(Basin):
             return self.frame.kick(direction)
         if self.barrier_double is None:
             raise ScopeError(f"no kick is known to be small enough: {self.reason}")
-        keeps_its_level(self.rotation, level)
         if self.line is not None:
-            return about_the_nodes(self.line, direction)
+            return about_the_nodes(self.line, direction, level)
+        if kind is Kind.FREE:
+            return spin_kick(self.rotation, direction)
         return kick_below(self.rotation, self.heights[self.found.passes[0]], direction, kind is Kind.FIELD)
 
     def within(self, degrees: Any, level: bool = False) -> float:

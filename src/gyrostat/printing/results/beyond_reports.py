@@ -51,7 +51,9 @@ _RELATION = {"<": "<", ">": ">", "=": "=", "!=": "≠"}
 @singledispatch
 def result_blocks(obj: Any) -> list[Block]:
     """Make the blocks of one result."""
-    return loaded(LATER[type(obj).__module__])(obj)
+    if (home := LATER.get(type(obj).__module__)) is None:
+        raise TypeError(f"{type(obj).__name__} is no result")
+    return loaded(home)(obj)
 
 
 @result_blocks.register

@@ -4,7 +4,7 @@ from decimal import ROUND_FLOOR, Context
 from typing import Any
 
 from ...equilibria.relative_equilibrium import RelativeEquilibrium
-from ...equilibria.well_columns import any_kick, weakest_kick, weakest_tilt
+from ...equilibria.well_columns import any_kick, damped_kick, weakest_kick, weakest_tilt
 from ...equilibria.wells.frame import Frame
 from ...equilibria.wells.well import Well
 from ...mechanics.scenes.kind import Kind
@@ -46,7 +46,7 @@ def well_sentences(well: Well | str, units: bool) -> list[str]:
         least = "" if well.bound is None else f", and its barrier is at least {_short(well.bound)}{joule}"
         return [f"Well: {well.reason}{least}.", *_in_its_frame(well, impulse)]
     if math.isinf(barrier):
-        return [f"Well: {well.reason}."]
+        return [f"Well: {well.reason}.", *_if_damped(well, impulse)]
     pass_ = f" at {_where(well.passes[0])}" if well.passes else ""
     said = [f"Well: {barrier:.6g}{joule} up to the pass{pass_}, {BEHIND[well.kind]}."]
     escape = well.escape_double
@@ -59,20 +59,22 @@ def well_sentences(well: Well | str, units: bool) -> list[str]:
                     "orbit, it stays too.")
     if well.damped:
         said.append("Under internal damping every motion inside comes back.")
-    return said + _in_its_frame(well, impulse)
+    return said + _if_damped(well, impulse) + _in_its_frame(well, impulse)
 
 
 def well_data(well: Well | str) -> dict[str, Any]:
     """The same as data for JSON; null for what is not known, or is infinite."""
     if isinstance(well, str):
-        return {**dict.fromkeys(("barrier", "escape", "at_least", "kick", "any_kick", "tilt", "damped")),
+        return {**dict.fromkeys(("barrier", "escape", "at_least", "kick", "any_kick", "damped_kick", "tilt",
+                                "damped")),
                 "kind": "", "held_at_every_energy": False, "passes": [], "beyond": [], "reason": well}
     barrier, kick = well.barrier_double, weakest_kick(well)
     return {"barrier": _finite(barrier), "escape": _finite(well.escape_double), "kind": well.kind,
             "held_at_every_energy": barrier == math.inf, "at_least": well.bound,
             "passes": [e.doubles.place for e in well.passes],
             "beyond": [e.doubles.place for e in well.beyond],
-            "kick": _finite(kick), "any_kick": any_kick(well), "tilt": weakest_tilt(well),
+            "kick": _finite(kick), "any_kick": any_kick(well), "damped_kick": damped_kick(well),
+            "tilt": weakest_tilt(well),
             "damped": well.damped, "reason": well.reason}
 
 
@@ -88,6 +90,14 @@ def _in_its_frame(well: Well, unit: str) -> list[str]:
     if (kick := any_kick(well)) is None:
         return []
     return _over_it(kick, unit)
+
+
+def _if_damped(well: Well, unit: str) -> list[str]:
+    """What a body of revolution survives that loses energy inside, and its spin with it."""
+    if (kick := damped_kick(well)) is None:
+        return []
+    return [f"Under internal damping a kick across its axis of less than {_short(kick)}{unit} does not "
+            "take it out."]
 
 
 def _over_it(kick: float, unit: str) -> list[str]:

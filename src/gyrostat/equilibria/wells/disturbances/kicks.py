@@ -4,30 +4,19 @@ from collections.abc import Sequence
 from typing import Any
 
 from flint import arb
-from sympy import Matrix, oo
+from sympy import Expr, Matrix, oo
 
 from ....algebra.enclosures.balls import ball
 from ....algebra.enclosures.precision import own_precision
 from ....algebra.reals.exact import evaluate, sign_of_constant
 from ....algebra.text.numbers import exact_expression
 from ....errors import ScopeError, ValuesError
-from ....mechanics.scenes.kind import Kind
 from ....mechanics.scenes.principal_axes import principal_axes
 from ...relative_equilibrium import RelativeEquilibrium
 from ..in_balls import BITS, form, in_balls, rows_in_balls
 from ..tilts import TiltWell
 
-LEAVES = "a kick along k changes C1, and the well with it: ask for those across k, level=True"
-SPHERE = "a kick changes the momentum sphere of a free body, and the well with it: ask for its barrier"
 Matrix3 = list[list[arb]]
-
-
-def keeps_its_level(rotation: RelativeEquilibrium, level: bool) -> None:
-    """Refuse kicks that change the level, where a well is one of a level."""
-    if rotation.scene.kind is Kind.FREE:
-        raise ScopeError(SPHERE)
-    if rotation.scene.kind is not Kind.ORBIT and not level:
-        raise ScopeError(LEAVES)
 
 
 def kick_below(rotation: RelativeEquilibrium, barrier: arb, direction: Sequence[Any] | None, across: bool
@@ -88,14 +77,17 @@ def principal_moments(rotation: RelativeEquilibrium) -> list[arb]:
     return sorted(in_balls(body.moments), key=lambda x: float(x.mid()))
 
 
-def about_the_nodes(well: TiltWell, direction: Sequence[Any] | None) -> float:
+def about_the_nodes(well: TiltWell, direction: Sequence[Any] | None, level: bool) -> float:
     """Return the impulse about the line of nodes, the one that keeps C1 and the spin of a body of revolution.
 
     Raises
     ------
     ScopeError
-        another direction is given
+        another direction is given, or other kicks are meant
     """
+    if not level:
+        raise ScopeError("a kick along k changes C1, and the well with it: ask for those across k, "
+                         "level=True")
     if direction is not None:
         raise ScopeError("a body of revolution keeps C1 and its spin in kicks about the line of nodes alone: "
                          "leave the direction out")
@@ -104,10 +96,16 @@ def about_the_nodes(well: TiltWell, direction: Sequence[Any] | None) -> float:
     return math.inf if kick == oo else below(ball(kick, BITS))
 
 
-def _along(rotation: RelativeEquilibrium, direction: Sequence[Any], inverse: Matrix3, across: bool) -> arb:
+def given_direction(direction: Sequence[Any]) -> list[Expr]:
+    """Return the components of a direction as exact numbers, or refuse it."""
     exact = [exact_expression(x, "direction") for x in direction]
     if len(exact) != 3 or not any(exact):
         raise ValuesError(f"direction = {tuple(direction)} is none: give three numbers that are not all 0")
+    return exact
+
+
+def _along(rotation: RelativeEquilibrium, direction: Sequence[Any], inverse: Matrix3, across: bool) -> arb:
+    exact = given_direction(direction)
     if across and sign_of_constant(evaluate(Matrix(exact).dot(Matrix(rotation.directions[0])), {})):
         raise ValuesError("this kick is not across k, and changes C1: leave the direction out")
     u = [ball(x, BITS) for x in exact]
