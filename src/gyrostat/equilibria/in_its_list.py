@@ -1,9 +1,10 @@
 """Finds an equilibrium that is named among all relative equilibria of its level, at numbers."""
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
-from sympy import Add, Expr, Matrix, Symbol, sqrt
+from sympy import Expr, Matrix, Symbol, sqrt
 
-from ..algebra.reals.exact import evaluate, sign_of_constant
+from ..algebra.enclosures.balls import ball
+from ..algebra.reals.exact import evaluate
 from ..errors import ScopeError
 from ..mechanics.equilibrium.equilibrium import Equilibrium
 from ..mechanics.scenes.kind import Kind
@@ -11,6 +12,7 @@ from ..mechanics.scenes.system import System, at_numbers, names_of_scene
 from ..notation import symbol
 from .relative_equilibrium import RelativeEquilibrium
 from .search import relative_equilibria
+from .wells.in_balls import BITS
 
 
 def in_its_list(named: Equilibrium, values: Mapping[str, Expr]) -> RelativeEquilibrium:
@@ -40,9 +42,10 @@ def in_its_list(named: Equilibrium, values: Mapping[str, Expr]) -> RelativeEquil
     point = [evaluate(named.insert(x), known) for x in named.point]
     if left := set().union(own - known.keys(), *(x.free_symbols for x in point)):
         raise ScopeError(f"{named.label} has names without a number: give {_listed(left)}")
-    for found in relative_equilibria(scene, _level(scene, point)):
-        if _same(_told(scene, found.point), _told(scene, point)):
-            return found
+    near = [e for e in relative_equilibria(scene, _level(scene, point))
+            if _near(_told(scene, e.point), _told(scene, point))]
+    if len(near) == 1:                                     # the list is complete, and it is one of them
+        return near[0]
     raise ScopeError(f"{named.label} is no single point in the list of relative equilibria: name none, and "
                      "all are decided")
 
@@ -63,10 +66,11 @@ def _level(scene: System, point: list[Expr]) -> dict[str, Expr]:
     return {"omega": evaluate(Matrix(point[3:]).dot(scene.body.inverse * Matrix(point[:3])), {})}
 
 
-def _told(scene: System, point: list[Expr] | tuple[Expr, ...]) -> list[Expr]:
+def _told(scene: System, point: Sequence[Expr]) -> Sequence[Expr]:
     """The coordinates that tell points of the list apart: without a turn about the axis of the body."""
-    return [point[2], point[5]] if scene.kind is Kind.REVOLUTION else list(point)
+    return [point[2], point[5]] if scene.kind is Kind.REVOLUTION else point
 
 
-def _same(one: list[Expr], other: list[Expr]) -> bool:
-    return all(sign_of_constant(Add(a, -b)) == 0 for a, b in zip(one, other))
+def _near(one: Sequence[Expr], other: Sequence[Expr]) -> bool:
+    """Whether two points may be one; enclosures of equal numbers overlap."""
+    return all(ball(a, BITS).overlaps(ball(b, BITS)) for a, b in zip(one, other))
