@@ -26,6 +26,9 @@ def test_a_well_in_words_and_as_data(capsys):
     for line in ("l + ω₀ (I₂ − I₁) > 0", "If |l| < ω₀ (I₂ − I₁):", "by_yaw = 2 ω₀ l",
                  "barrier = Min(by_pitch, by_yaw)", "kick < √(2 barrier Min(I₂, I₃))"):
         assert line in part, line
+    _, out, _ = asked(capsys, *SCENES["free"])
+    part = out[out.index("its well"):]
+    assert part.count("Else, if I_near |l|") == 2 and part.count("kick < |I₃ ω₃⁰ + l|") == 2
     _, out, _ = asked(capsys, *ORBIT, "--format", "json",
                       "--set", "omega0=1", "I1=60", "I2=70", "I3=35", "l=5")
     [form] = json.loads(out)["wells"]["Earth-pointing"]

@@ -66,6 +66,22 @@ def test_a_free_gyrostat_against_a_filled_sphere(seed):
     assert abs(height - s * h(np.array([0, 0, 1.0])) - float(form.barrier)) < 1e-4 * float(M)**2
 
 
+@pytest.mark.parametrize(("moments", "l", "to_rest"), [
+    ((1, 2, 3), "1/4", False), ((2, "21/10", 3), "1/5", True), ((2, "21/10", 3), "-1/8", False),
+    (("5/2", 2, 1), "-1/5", True), (("5/2", 2, 1), "1/5", False), ((1, 2, 3), 0, False)])
+def test_the_smallest_kick_is_that_of_the_planes(moments, l, to_rest):
+    """Also where a kick of -M, to rest, is smaller than the way to a plane."""
+    axis = gs.principal_rotation(gs.assemble(gs.Gyrostat(("I1", "I2", "I3"), (0, 0, "l"))), 3)
+    values = dict(zip(("I1", "I2", "I3"), moments)) | {"l": l}
+    values["omega3_0"] = (1 - Rational(l)) / Rational(moments[2])
+    forms = [f.at({gs.symbol(n): Rational(x) for n, x in values.items()}) for f in closed_forms(axis)]
+    [form] = [form for form in forms if form]
+    found = gs.relative_equilibria(gs.assemble(gs.Gyrostat(moments, (0, 0, l))), {"M": 1})
+    [spin] = [e for e in found if e.momentum == (0, 0, 1)]
+    assert float(form.kick) == pytest.approx(spin.well.kick(), rel=1e-13)
+    assert (form.kick == 1) == to_rest
+
+
 @pytest.mark.parametrize("factor, leaves", [(0.99, False), (1.01, True)])
 def test_the_smallest_kick_of_a_free_gyrostat(factor, leaves):
     """Of M = (0, 0, 1), l = (0, 0, 1/4), I = (1, 2, 3): 3/4, towards the plane of the separatrices."""

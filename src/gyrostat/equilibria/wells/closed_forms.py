@@ -4,6 +4,7 @@ from dataclasses import dataclass, replace
 
 from sympy import (
     Abs,
+    And,
     Expr,
     Gt,
     ImmutableMatrix,
@@ -170,9 +171,12 @@ def _free(moments: tuple[Expr, ...], axis: int, pi: Expr, l: Expr) -> Iterator[C
         foot = D * rate + s * l
         saddle = Gt(D * Abs(M), J * Abs(l))
         barrier = Piecewise((I * foot**2 / (2 * J * D), saddle), (2 * s * M * l / I, True))
-        kick = Piecewise((I * Abs(foot) * sqrt(K / (J * D * s * (I - K))), saddle))
+        across, below = I**2 * foot**2 * K, J * D * s * (I - K)
+        kick = I * Abs(foot) * sqrt(K / below)
         if l == 0:
-            barrier, kick = barrier.args[0][0], kick.args[0][0]
+            barrier = barrier.args[0][0]
+        else:                                              # a kick of -M leads to rest, another equilibrium
+            kick = Piecewise((kick, And(saddle, Lt(across, M**2 * below))), (Abs(M), saddle))
         yield ClosedForm(f"It has the {word} energy at its angular momentum. The kick is the least that "
                          "leads out.", (M * foot, *((D, s * (I - K)) if l == 0 else ())), barrier, kick,
                          names=((NEAR, near(*others)), (FAR, far(*others))))

@@ -34,6 +34,6 @@ def _cases(word: Symbol, value: Expr, relation: str = "=") -> Iterator[Block]:
     if not isinstance(value, Piecewise):
         yield Display(word, value, relation=relation)
         return
-    for x, condition in value.args:
-        yield sentence("Else:") if condition == S.true else sentence("If ", condition, ":")
+    for n, (x, condition) in enumerate(value.args):
+        yield sentence("Else:") if condition == S.true else sentence("Else, if " if n else "If ", condition, ":")
         yield Display(word, x, relation=relation)
