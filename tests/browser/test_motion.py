@@ -199,13 +199,15 @@ def test_a_finger_scrolls_over_the_body_and_turns_it(page):
             touch.send("Input.dispatchTouchEvent", {"type": "touchMove", "touchPoints": [
                 {"x": x + across * n / 10, "y": y + down * n / 10}]})
         touch.send("Input.dispatchTouchEvent", {"type": "touchEnd", "touchPoints": []})
-        page.wait_for_timeout(300)
 
     before = page.evaluate("scrollY")
     drawn(0, -120)
-    assert page.evaluate("scrollY") > before + 50 and page.evaluate(PIXELS) == first
+    page.wait_for_function("before => scrollY > before + 50", arg=before)
+    page.wait_for_timeout(300)
+    assert page.evaluate(PIXELS) == first
     before = page.evaluate("scrollY")
     drawn(100, 0)
-    assert page.evaluate("scrollY") == before and page.evaluate(PIXELS) != first
+    page.wait_for_function(f"async before => await ({PIXELS})() != before", arg=first, polling=200)
+    assert page.evaluate("scrollY") == before
     page.press("#motion", "0")
     page.click("#nearby button:has-text('Go on')")

@@ -29,8 +29,13 @@ def contained(rotation: RelativeEquilibrium, paths: Paths, height: arb, state: S
     if len(state) != len(names):
         raise ValuesError(f"the state has {len(state)} numbers: give {', '.join(map(str, names))}")
     exact = [exact_expression(value, str(name)) for name, value in zip(names, state)]
+    return inside(rotation, paths, height, [ball(x, BITS) for x in exact])
+
+
+def inside(rotation: RelativeEquilibrium, paths: Paths, height: arb, state: list[arb]) -> bool | None:
+    """Tell the same of a state in balls."""
     with own_precision(BITS):
-        place, excess = _rest(rotation, [ball(x, BITS) for x in exact])
+        place, excess = _rest(rotation, state)
         energy = paths.landscape.value(place) + excess
         if not energy < height:
             return False if energy >= height else None

@@ -36,6 +36,6 @@ def well_of(rotation: RelativeEquilibrium) -> Well:
     except ScopeError as error:
         return Well(rotation, reason=str(error))
     points = landscape.points
-    down = [None if e.locus or 0 in e.form.signs else e.form.index for e in points]
+    down = [None if e.locus else e.form.index for e in points]
     indices = [len(e.form.signs) - n if turned and n is not None else n for n, e in zip(down, points)]
     return filled(Well(rotation), Paths(landscape, indices))

@@ -137,10 +137,7 @@ def landscape_of(rotation: RelativeEquilibrium) -> Landscape:
         return Landscape(points, [_polynomial(V, (*NORMAL, *UPWARD), 2)], attitudes=True)
     body, l = scene.body, Matrix(scene.body.gyrostatic_momentum)
     if scene.kind is Kind.FREE:
-        M = Matrix(rotation.momentum)
-        length = sqrt(_fraction(ball(M.dot(M), BITS)))
-        if sign_of_constant(Add(M.dot(M), -length**2)) != 0:
-            raise ScopeError(NO_FRACTION.format("the square of M"))
+        length = level_of(rotation)["M"]
         sign = -1 if rotation.form.index else 1
         V = sign * (length * Matrix(DIRECTIONS) - l).dot(body.inverse * (length * Matrix(DIRECTIONS) - l)) / 2
         return Landscape(relative_equilibria(scene, {"M": length}), [_polynomial(V, DIRECTIONS, 2)])
@@ -151,6 +148,25 @@ def landscape_of(rotation: RelativeEquilibrium) -> Landscape:
     level, points = _on_its_level(rotation)
     twist = _polynomial(level - l.dot(k), DIRECTIONS, 1), _polynomial(k.dot(body.tensor * k), DIRECTIONS, 2)
     return Landscape(points, [U, *twist])
+
+
+def level_of(rotation: RelativeEquilibrium) -> dict[str, Expr]:
+    """Return by which names and numbers all equilibria of the level of one are found.
+
+    Raises
+    ------
+    ScopeError
+        a number is no fraction
+    """
+    if rotation.scene.kind is Kind.ORBIT:
+        return {}
+    if rotation.scene.kind is Kind.FIELD:
+        return {"C1": _on_its_level(rotation)[0]}
+    M = Matrix(rotation.momentum)
+    length = sqrt(_fraction(ball(M.dot(M), BITS)))
+    if sign_of_constant(Add(M.dot(M), -length**2)) != 0:
+        raise ScopeError(NO_FRACTION.format("the square of M"))
+    return {"M": length}
 
 
 def turning_landscape(rotation: RelativeEquilibrium) -> Landscape:

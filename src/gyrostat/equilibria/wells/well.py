@@ -11,10 +11,12 @@ from ...algebra.enclosures.balls import ball
 from ...errors import ScopeError
 from ...mechanics.families.circular_orbit import by_gradient_alone
 from ...mechanics.scenes.kind import Kind
+from ..relative_equilibrium import RelativeEquilibrium
 from .basin import Basin
 from .contained import contained
 from .damped import comes_back
 from .disturbances.kicks import about_the_nodes, below, kick_below, tilt_below
+from .disturbances.motors import held_after
 from .disturbances.spin_kicks import spin_kick
 from .disturbances.within import kick_within
 from .frame import Frame, frame_of
@@ -160,6 +162,28 @@ class Well(Basin):
         if self.paths is None or not self.found.passes:
             raise ScopeError(f"no state is known to be inside: {TILTS if self.line else self.reason}")
         return contained(self.rotation, self.paths, self.paths.values[self.found.passes[0]], state)
+
+    def spun_up(self, change: Sequence[Any]) -> RelativeEquilibrium | None:
+        """Return where the motion is held after a motor has changed the rotors' momentum at once.
+
+        Parameters
+        ----------
+        change : sequence of number, shape (3,)
+            that is added to l, in the axes of the body [M L²/T]; M = π + l is kept
+
+        Returns
+        -------
+        RelativeEquilibrium or None
+            the equilibrium with the new rotors whose well holds the motion; None if none is proved to
+
+        Raises
+        ------
+        ScopeError
+            it is a body of revolution, or its level has no list of equilibria
+        ValuesError
+            the change is not three numbers
+        """
+        return held_after(self.rotation, change)
 
     @cached_property
     def tree(self) -> Tree:
