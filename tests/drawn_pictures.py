@@ -49,7 +49,8 @@ def of_three_moments(degree):
         scene = gs.assemble(gs.Gyrostat((1, 2, 3), rotor), gs.general_potential(GENERAL[degree]))
         yield plotting.draw_amended_potential(scene, {"C1": "5/2"}, space())
         if degree < 3:
-            yield plotting.draw_well(gs.relative_equilibria(scene, {"C1": "5/2"})[0], space())
+            yield plotting.draw_well(next(e for e in gs.relative_equilibria(scene, {"C1": "5/2"})
+                                          if e.well.barrier_double), space())
             yield plotting.draw_bifurcation_diagram(scene, "omega", ("1/10", 2), {}, flat())
         if degree == 1:
             yield plotting.draw_staude_cone(scene, {}, space())
