@@ -35,5 +35,6 @@ def _cases(word: Symbol, value: Expr, relation: str = "=") -> Iterator[Block]:
         yield Display(word, value, relation=relation)
         return
     for n, (x, condition) in enumerate(value.args):
-        yield sentence("Else:") if condition == S.true else sentence("Else, if " if n else "If ", condition, ":")
+        also = "Else, if " if n else "If "
+        yield sentence("Else:") if condition == S.true else sentence(also, condition, ":")
         yield Display(word, x, relation=relation)
