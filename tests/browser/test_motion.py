@@ -180,9 +180,8 @@ def test_the_picture_is_as_sharp_as_the_screen(page):
     picked(page, 0)
     for width in (390, 1280):
         page.set_viewport_size({"width": width, "height": 900})
-        page.wait_for_timeout(200)
-        assert page.evaluate("(c => c.width == Math.round(c.clientWidth * devicePixelRatio))"
-                             "(document.getElementById('motion'))")
+        page.wait_for_function("(c => c.width == Math.round(c.clientWidth * devicePixelRatio))"
+                               "(document.getElementById('motion'))")
 
 
 def test_a_finger_scrolls_over_the_body_and_turns_it(page):

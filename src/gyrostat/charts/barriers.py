@@ -48,9 +48,11 @@ def with_barriers(chart: Any, report: Report) -> Any:
     Examples
     --------
     >>> import gyrostat as gs
-    >>> satellite = gs.assemble(gs.Gyrostat((60, 70, 35), (0, "l", 0)), gs.circular_orbit())
+    >>> body = gs.Gyrostat((60, 70, 35), (0, "l", 0))
+    >>> satellite = gs.assemble(body, gs.circular_orbit())
     >>> report = gs.analyze(gs.earth_pointing(satellite))
-    >>> chart = gs.charts.stability_chart(report, x=("l", [0, 5, 30]), y=("omega0", [1, 2]))
+    >>> chart = gs.charts.stability_chart(
+    ...     report, x=("l", [0, 5, 30]), y=("omega0", [1, 2]))
     >>> gs.charts.with_barriers(chart, report).barrier.values
     array([[  5.  ,  11.25,  37.5 ],
            [ 20.  ,  31.25, 120.  ]])

@@ -49,7 +49,7 @@ def held_after(rotation: RelativeEquilibrium, change: Sequence[Any]) -> Relative
     >>> [held_after(upright, (0, spin, 0)) is not None for spin in (72, 73)]
     [True, False]
     """
-    exact = [exact_expression(x, "change") for x in change]
+    exact = [exact_expression(x, "l") for x in change]
     if len(exact) != 3:
         raise ValuesError(f"change = {tuple(change)} has {len(exact)} numbers: give three, in the axes of "
                           "the body")
