@@ -180,7 +180,7 @@ def test_the_picture_is_as_sharp_as_the_screen(page):
     picked(page, 0)
     for width in (390, 1280):
         page.set_viewport_size({"width": width, "height": 900})
-        page.wait_for_function("(c => c.width == Math.round(c.clientWidth * devicePixelRatio))"
+        page.wait_for_function("() => (c => c.width == Math.round(c.clientWidth * devicePixelRatio))"
                                "(document.getElementById('motion'))")
 
 
