@@ -43,9 +43,9 @@ def safe_kick(report: Report, values: Mapping[str, str]) -> list[Block]:
     for form in (form for known in closed_forms(report.equilibrium) if (form := known.at(given)) is not None):
         if form.kick is None or (kick := form.kick.xreplace({THETA: pi / 18})).free_symbols:
             continue
-        kept = " keeps it within 10° of its place." if THETA in form.kick.free_symbols else (
-            " does not take it out of its well.")
-        return [sentence("A kick of less than ", rounded(kick, ROUND_FLOOR), kept)]
+        which, kept = (" across the axis", "keeps it within 10° of its place") if (
+            THETA in form.kick.free_symbols) else ("", "does not take it out of its well")
+        return [sentence(f"A kick{which} of less than ", rounded(kick, ROUND_FLOOR), f" {kept}.")]
     return []
 
 
