@@ -5,6 +5,5 @@ leads into it and out of it, `readable` completes squares and keeps products, an
 in an order that never changes. `matrices` multiplies, takes determinants and finds kernels without fractions,
 `elimination` removes a variable, `rational_functions` divides, `series` cuts powers off at a degree. Where a
 number such as π occurs, `constituents` says what it is made of, `quotients` reduces by what the variables
-satisfy, `enclosed_roots` isolates the roots of polynomials by balls, and `enclosed_points` the points that a
-pencil of matrices takes to a vector.
+satisfy, and `enclosed_roots` isolates the roots of polynomials by balls.
 """

@@ -7,14 +7,12 @@ import numpy as np
 from sympy import Expr
 
 from ... import plotting
+from ..._lazy import loaded
 from ...algebra.text.numbers import exact_number
-from ...equilibria.finders.revolution_form import RevolutionForm
 from ...errors import ValuesError
 from ...mechanics.families.scene_tables import NONE
 from ...mechanics.scenes.system import System
 from ...notation import symbol
-from ...plotting.filled_well import facing
-from ...questions.answers.answers import Answer, answers_at
 from ...questions.answers.equilibria import report_for
 from ...questions.given_numbers import numbers_of, one_spin
 from ...questions.scene_texts import Asked, pointing_of, scene_of
@@ -116,8 +114,8 @@ def _eigenvalues(given: argparse.Namespace, numbers: Numbers, figure: Any) -> st
 
 def _well(given: argparse.Namespace, numbers: Numbers, figure: Any) -> str:
     asked = asked_of(given, numbers)
-    answers = answers_at(asked, None, numbers)
-    found = [a.found if isinstance(a, Answer) and a.listed else None for a in answers]
+    answers = loaded("questions.answers.answers:answers_at")(asked, None, numbers)
+    found = [a.found if getattr(a, "listed", False) else None for a in answers]
     if given.number is None:
         chosen = next((e for e in found if e and e.decision.stable and e.well.barrier is not None), None)
     elif 1 <= given.number <= len(found):
@@ -127,10 +125,10 @@ def _well(given: argparse.Namespace, numbers: Numbers, figure: Any) -> str:
                           "that gyrostat decide --well lists")
     if chosen is None:
         raise ValuesError("no well of these equilibria is known: gyrostat decide --well says why")
-    flat = isinstance(chosen.form, RevolutionForm)
+    flat = chosen.well.line is not None
     ax = figure.subplots() if flat else figure.add_subplot(projection="3d")
     if not flat:
-        ax.view_init(*facing(chosen))
+        ax.view_init(*loaded("plotting.filled_well:facing")(chosen))
     plotting.draw_well(chosen, ax)
     return _unusual(scene_of(asked), numbers)
 

@@ -16,9 +16,9 @@ from ..._cached import cached_property
 from ...algebra.enclosures.balls import ball, fraction_of
 from ...algebra.enclosures.floats import Array
 from ...algebra.enclosures.rationals import to_sympy
+from ...algebra.pencils.exact_points import along_kernel
 from ...algebra.reals.exact import Point, evaluate, proved_sign
 from ...algebra.rings.matrices import adjugate
-from ...algebra.solving.pencils import along_kernel
 from ...algebra.solving.plane_curves import PlaneCurve
 from ...algebra.solving.stations import between
 from ...stability.decision import Verdict

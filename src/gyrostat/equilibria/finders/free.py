@@ -6,8 +6,8 @@ from sympy import Add, Expr, ImmutableMatrix, Matrix, S, eye, sqrt
 
 from ...algebra.enclosures.balls import ball
 from ...algebra.enclosures.precision import own_precision
+from ...algebra.pencils.exact_points import points_on_sphere
 from ...algebra.reals.exact import proved_sign
-from ...algebra.solving.pencils import points_on_sphere
 from ...algebra.solving.roots import real_roots
 from ...mechanics.scenes.system import System, at_numbers
 from ...notation import symbol

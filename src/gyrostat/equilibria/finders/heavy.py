@@ -6,9 +6,9 @@ from typing import Any
 from sympy import Add, Expr, Matrix, S, eye
 
 from ..._lazy import loaded
+from ...algebra.pencils.exact_points import points_on_sphere
 from ...algebra.reals.exact import evaluate, proved_sign
 from ...algebra.rings.matrices import cross
-from ...algebra.solving.pencils import points_on_sphere
 from ...algebra.solving.real_fields import balls
 from ...algebra.solving.roots import real_roots
 from ...errors import ScopeError, ValuesError

@@ -11,12 +11,12 @@ from sympy import Expr, Matrix, Rational, S, Symbol, sqrt
 
 from ...algebra.enclosures.balls import ball
 from ...algebra.enclosures.precision import own_precision
+from ...algebra.pencils.exact_points import points_on_sphere
 from ...algebra.reals.exact import evaluate, proved_sign
 from ...algebra.reals.number_fields import at_root, divided
 from ...algebra.rings.matrices import determinant
 from ...algebra.rings.polynomials import Ring
 from ...algebra.solving.common_points import CommonPoints
-from ...algebra.solving.pencils import points_on_sphere
 from ...algebra.solving.real_fields import FieldNumbers
 from ...algebra.solving.roots import real_roots, roots_of_factor
 from ...errors import ScopeError

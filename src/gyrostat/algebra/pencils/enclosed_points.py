@@ -10,9 +10,9 @@ from sympy import Expr, Matrix, S, Symbol
 
 from ..enclosures.balls import ball
 from ..enclosures.precision import doubled, own_precision
+from ..rings.enclosed_roots import simple_roots
+from ..rings.matrices import adjugate
 from ..solving.real_fields import BITS, FieldNumbers, RealNumbers
-from .enclosed_roots import simple_roots
-from .matrices import adjugate
 
 
 class SimplePoints(RealNumbers):

@@ -10,11 +10,11 @@ from ..enclosures.balls import finite_ball
 from ..reals.exact import evaluate, proved_sign
 from ..reals.number_fields import in_one
 from ..reals.number_matrices import exact
-from ..rings.enclosed_points import SimplePoints
 from ..rings.matrices import adjugate, cross
 from ..rings.polynomials import Ring
-from .real_fields import BITS, Conjugates, FieldNumbers
-from .roots import in_order, real_roots, roots_of_factor
+from ..solving.real_fields import BITS, Conjugates, FieldNumbers
+from ..solving.roots import in_order, real_roots, roots_of_factor
+from .enclosed_points import SimplePoints
 
 HIGHEST = 6                                            # degree of a number with which resultants are taken
 NOT_TOLD = ("at {}, of so high a degree, the solutions are not told apart: turn the body into axes in which "

@@ -7,8 +7,8 @@ import pytest
 from sympy import Matrix, Rational, S, diag, eye, pi, sqrt
 
 import gyrostat as gs
-from gyrostat.algebra.rings.enclosed_points import SimplePoints
-from gyrostat.algebra.solving.pencils import points_on_sphere
+from gyrostat.algebra.pencils.enclosed_points import SimplePoints
+from gyrostat.algebra.pencils.exact_points import points_on_sphere
 from gyrostat.algebra.solving.real_fields import balls
 
 nu = gs.symbol("nu")

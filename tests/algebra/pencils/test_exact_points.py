@@ -6,7 +6,7 @@ import pytest
 from sympy import Matrix, Rational, S, Symbol, diag, eye, sqrt
 
 from gyrostat.algebra.enclosures.balls import ball
-from gyrostat.algebra.solving.pencils import points_on_sphere
+from gyrostat.algebra.pencils.exact_points import points_on_sphere
 from gyrostat.algebra.solving.real_fields import FieldNumbers, balls
 
 NU = Symbol("nu")
