@@ -64,7 +64,7 @@ QUESTIONS = {
     )],
     "decide": [f"decide {options}" for options in (
         "--potential k1 --inertia 1,2,3 --gyrostatic-momentum 0,0,1/2 --set C1=1/3 --well",
-        "--orbit 1 --inertia 60,70,35 --gyrostatic-momentum 0,0,0 --well",
+        "--orbit 1 --inertia 60,70,35 --gyrostatic-momentum 0,500,0 --well",
         "--potential 'k3**4 - k3**2/2' --set I1=2 I3=1 l=0 omega=1/2",
         "--potential m0*k3 --equilibrium E1 --set I1=1 I3=1.6 l=0 m0=1 omega3_0=1.25",
         "--potential m0*k3 --equilibrium E3 --set I1=1 I3=1.6 l=1/3 m0=1 omega=3/2",

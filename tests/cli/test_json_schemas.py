@@ -28,7 +28,7 @@ CHANGED = ["report --potential none", "conditions --potential none", f"condition
            "--set I1=60 I2=35 I3=70 l=0 omega0=1",
            "decide --potential 'k1 + k3' --set I1=1 I2=2 I3=3 l=0",
            "decide --potential k1 --inertia 1,2,3 --gyrostatic-momentum 0,0,1/2 --set C1=1/3 --well",
-           "decide --orbit 1 --inertia 60,70,35 --gyrostatic-momentum 0,0,0 --well",
+           "decide --orbit 1 --inertia 60,70,35 --gyrostatic-momentum 0,500,0 --well",
            f"decide {HEAVY} --normal-form 4 --set m0=1 l=0 pi3_0=11/2", f"decide {HEAVY} --normal-form 4"]
 
 
