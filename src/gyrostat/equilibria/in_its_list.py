@@ -1,7 +1,7 @@
 """Finds an equilibrium that is named among all relative equilibria of its level, at numbers."""
 from collections.abc import Mapping, Sequence
 
-from sympy import Expr, Matrix, Symbol, sqrt
+from sympy import Expr, Matrix, sqrt
 
 from ..algebra.enclosures.balls import ball
 from ..algebra.reals.exact import evaluate
@@ -41,17 +41,14 @@ def in_its_list(named: Equilibrium, values: Mapping[str, Expr]) -> RelativeEquil
     scene = at_numbers(named.system, {name: x for name, x in known.items() if name in own})
     point = [evaluate(named.insert(x), known) for x in named.point]
     if left := set().union(own - known.keys(), *(x.free_symbols for x in point)):
-        raise ScopeError(f"{named.label} has names without a number: give {_listed(left)}")
+        missing = ", ".join(sorted(map(str, left)))
+        raise ScopeError(f"{named.label} has names without a number: give {missing}")
     near = [e for e in relative_equilibria(scene, _level(scene, point))
             if _near(_told(scene, e.point), _told(scene, point))]
     if len(near) == 1:                                     # the list is complete, and it is one of them
         return near[0]
     raise ScopeError(f"{named.label} is no single point in the list of relative equilibria: name none, and "
                      "all are decided")
-
-
-def _listed(names: set[Symbol]) -> str:
-    return ", ".join(sorted(map(str, names)))
 
 
 def _level(scene: System, point: list[Expr]) -> dict[str, Expr]:
